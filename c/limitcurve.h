@@ -102,7 +102,8 @@ LIMITCURVE_API const char* limitcurve_table_csv(const limitcurve_table* table);
 
 LIMITCURVE_API void limitcurve_table_free(limitcurve_table* table);
 
-/* Bound of the absolute error of unit force and moment against the law; 0 for an ellipse or a box. */
+/* Bound of the absolute error of unit force and moment against the law, to which a measured pressure adds its own (limitcurve_law_evaluate);
+ * 0 for an ellipse or a box. */
 LIMITCURVE_API limitcurve_status limitcurve_table_checked_error(const limitcurve_table* table, double* error);
 
 /* Bytes that a look-up may touch; 0 for an ellipse or a box. */
@@ -181,7 +182,7 @@ typedef struct limitcurve_finger_parameters {
 LIMITCURVE_API limitcurve_finger_parameters limitcurve_finger_defaults(void);
 
 /* The smallest loads [N] under which a contact bears forces [N] and moments [N m], whose signs do not count; inf where no load holds. Of the
- * finger's parameters mu, radius_law, mu_r and gamma count. */
+ * finger's parameters mu, radius_law, mu_r and gamma count. Of a measured pressure `limitcurve hold` estimates the error, hold_error. */
 LIMITCURVE_API limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, const limitcurve_finger_parameters* contact,
                                                                const double* forces, const double* moments, size_t count, double* loads);
 

@@ -279,19 +279,24 @@ void translate(const std::exception_ptr& thrown, void*) {
 
 }  // namespace limitcurve::python
 
+static bool is_registered = false;
+
+/// The module of the first import in this interpreter; null if there is none. Borrowed.
+static PyObject* first_module() {
+  return PyDict_GetItemString(PyInterpreterState_GetDict(PyInterpreterState_Get()), "limitcurve._core");
+}
+
+#define PyInit__core init_by_nanobind
 NB_MODULE(_core, module) {
+#undef PyInit__core
   using namespace limitcurve::python;
   // Types are registered once a process: imported again, for example by an add-on's reloader, the module has those of the first.
-  constexpr const char* name = "limitcurve._core";
-  static bool is_registered = false;
-  nb::dict kept = nb::borrow<nb::dict>(PyInterpreterState_GetDict(PyInterpreterState_Get()));
-  if (kept.contains(name)) {
-    nb::cast<nb::dict>(module.attr("__dict__")).update(nb::cast<nb::dict>(kept[name].attr("__dict__")));
+  if (PyObject* const first = first_module()) {
+    nb::cast<nb::dict>(module.attr("__dict__")).update(nb::cast<nb::dict>(nb::handle(first).attr("__dict__")));
     return;
   }
-  if (is_registered) throw std::runtime_error("limitcurve._core: another interpreter of this process has imported it, expected one");
   is_registered = true;
-  kept[name] = module;
+  nb::borrow<nb::dict>(PyInterpreterState_GetDict(PyInterpreterState_Get()))["limitcurve._core"] = module;
   module.doc() = "Laws, tables, fingers, batches, patches and the command line: the C++ library. Use it as `limitcurve`.";
   nb::register_exception_translator(translate);
   module.attr("version") = nb::str(limitcurve::version.data(), limitcurve::version.size());
@@ -321,4 +326,11 @@ NB_MODULE(_core, module) {
       "numbers_of", [](nb::handle values, const std::string& name) { return numbers_of<double>(values, name).array; }, nb::arg("values"),
       nb::arg("name"), nb::sig("def numbers_of(values: numpy.typing.ArrayLike, name: str) -> numpy.typing.NDArray[numpy.float64]"),
       "An array of numbers. ValueError with their name if they are none.");
+}
+
+/// Refuses another interpreter before nanobind, whose own initialisation would take the types from the first.
+extern "C" NB_EXPORT PyObject* PyInit__core() {
+  if (!is_registered || first_module() != nullptr) return init_by_nanobind();
+  PyErr_SetString(PyExc_ImportError, "limitcurve._core: another interpreter of this process has imported it, expected one");
+  return nullptr;
 }

@@ -70,8 +70,8 @@ inline namespace LIMITCURVE_COPIES {
 
 /// The smallest load [N] under which the contact bears a force [N] and a moment [N·m] without slip; their signs do not count. 0 for none of
 /// both; ∞ without friction, for a moment without moment coefficient, and where no finite load holds; NaN for NaN. Relative error ≤ 1e-12
-/// plus the curve's. Throws like `ContactFriction::radius`. Cost: one call of `gauge` for a constant radius, else 3 to 6 calls of `along`,
-/// at most 60.
+/// plus the curve's, of a measured pressure `hold_error`. Throws like `ContactFriction::radius`. Cost: one call of `gauge` for a constant
+/// radius, else 3 to 6 calls of `along`, at most 60.
 template <class Curve>
 double load_to_hold(const Curve& curve, const ContactFriction& contact, double force, double moment) {
   const RadiusLaw radius_law = detail::radius_law_of(curve, contact);

@@ -58,13 +58,20 @@ def test_importing_twice_keeps_the_types_of_the_first(names):
           "assert second.__version__ and law.evaluate([0.5])[0] > 0")
 
 
-def test_another_interpreter_is_told_so():
+def test_another_interpreter_is_told_so_and_the_first_goes_on():
     interpreters = "_xxsubinterpreters" if sys.version_info < (3, 13) else "_interpreters"
     if importlib.util.find_spec(interpreters) is None:
         pytest.skip("no interpreters")
-    again(f"import {interpreters} as other\n"
-          "try:\n    failed = other.run_string(other.create(), 'import limitcurve')\nexcept Exception as error:\n    failed = error\n"
-          "assert 'ImportError' in repr(failed), failed")
+    # The module itself, too: of the package NumPy may be refused first.
+    again(f"import {interpreters} as other, limitcurve._core as core\n"
+          "alone = f'import importlib.util as u; u.module_from_spec(u.spec_from_file_location(\"limitcurve._core\", {core.__file__!r}))'\n"
+          "for code in (alone, 'import limitcurve'):\n"
+          "    try:\n        failed = other.run_string(other.create(), code)\n    except Exception as error:\n        failed = error\n"
+          "    assert 'ImportError' in repr(failed), failed\n"
+          "    assert repr(law).startswith('Law') and law.evaluate([0.5])[0] == limitcurve.Law('hertz').evaluate([0.5])[0] > 0\n"
+          "    assert limitcurve.SoftFinger(limitcurve.Table(law, 1e-4)).update((0, 0, 0), (0, 0, 1), 0.001, 0).load == 1\n"
+          "    try:\n        limitcurve.Law('herz')\n    except ValueError as error:\n        assert 'herz' in str(error)\n"
+          "    else:\n        assert False\n")
 
 
 def test_stubs_are_installed():
