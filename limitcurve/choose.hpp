@@ -23,7 +23,7 @@ struct Candidate {
 inline constexpr double cost_tie = 0.05;
 
 /// All candidates for `law`, sorted by cost. `chosen` marks the cheapest one whose error is at most `tolerance`, of a tie the one with the
-/// smallest error; there always is one, because the exact curve has error 0.
+/// smallest error; there always is one, because the exact curve has error 0. A measured pressure adds its profile_error().
 ///
 /// Costs are constants (internal/shipped_costs.hpp), measured on one machine: compare them, do not rely on them. So the same input gives
 /// the same choice on every machine. Throws std::invalid_argument for a tolerance outside [1e-10, 1]. Cost: a millisecond for a closed

@@ -30,7 +30,7 @@ struct EngineCoefficient {
 };
 
 /// A soft finger in a physics engine with its best coefficients. Errors are fractions of the exact limit curve's radius in the normalised
-/// plane, unless said otherwise.
+/// plane, unless said otherwise. A measured pressure adds its profile_error().
 struct EngineContact {
   std::string engine;  ///< mujoco, physx, …; `find_engine` knows their other names
   /// Shape of the resulting limit curve: ellipse, diamond (friction pyramid), box (uncoupled) or point (no moment).
