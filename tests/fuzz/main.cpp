@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <vector>
+#include <string>
 
 namespace {
 
@@ -35,21 +35,28 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 }
 
 #ifndef LIMITCURVE_SEARCHES
-/// Runs the target on every file of the folder given, and on no input at all. A finding aborts, after the file's name.
+/// Runs the target on every file of the folder given, or on every line of the file given, and on no input at all. A finding aborts, after its name.
 int main(int argc, char** argv) {
   LLVMFuzzerInitialize(&argc, &argv);
   if (argc != 2) {
-    std::cerr << "expected the folder of the seeds\n";
+    std::cerr << "expected the folder or the file of the seeds\n";
     return 2;
   }
-  body_of_target(nullptr, 0);
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(argv[1])) {
-    std::cout << entry.path().filename().string() << std::endl;
-    std::ifstream file(entry.path(), std::ios::binary);
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  const auto run = [&count](const std::string& name, const std::string& bytes) {
+    std::cout << name << std::endl;
     body_of_target(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     ++count;
+  };
+  body_of_target(nullptr, 0);
+  if (std::filesystem::is_directory(argv[1])) {
+    for (const auto& entry : std::filesystem::directory_iterator(argv[1])) {
+      std::ifstream file(entry.path(), std::ios::binary);
+      run(entry.path().filename().string(), {std::istreambuf_iterator<char>(file), {}});
+    }
+  } else {
+    std::ifstream file(argv[1]);
+    for (std::string line; std::getline(file, line);) run(line, line);
   }
   if (count == 0) std::cerr << "no seeds in " << argv[1] << '\n';
   return count > 0 ? 0 : 1;

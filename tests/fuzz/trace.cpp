@@ -1,71 +1,67 @@
 // SPDX-License-Identifier: MIT
-#include "cli/io/csv_reader.hpp"
+#include "cli/io/trace_reader.hpp"
 #include "godobject/scene/replay.hpp"
-#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
-#include <array>
-#include <vector>
+#include <cmath>
 
 using namespace limitcurve;
 
 namespace {
 
-using Row = std::array<double, 5>;
+godobject::Replay replay_of(std::size_t fingers, bool body_moves) {
+  godobject::ReplayOptions options;
+  options.law = hertz();
+  options.finger.stiffness = 1000.0;
+  options.finger.twist_stiffness = 0.04;
+  options.curve = godobject::CurveKind::ellipse;
+  options.fingers = fingers;
+  options.motion = body_moves ? godobject::BodyMotion::prescribed : godobject::BodyMotion::fixed;
+  return godobject::Replay(options);
+}
 
-std::vector<Row> read(const std::string& file) {
-  std::vector<Row> rows;
-  cli::CsvReader reader(file, {"time", "x", "y", "z"}, {"twist"});
-  while (reader.next()) {
-    Row row{};
-    for (std::size_t column = 0; column < row.size(); ++column) {
-      if (reader.has(column)) row[column] = reader.number(column, cli::finite);
+void require_pose(const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
+  fuzz::require(position.allFinite(), "a position that is not finite");
+  fuzz::require(std::fabs(orientation.norm() - 1.0) <= 1e-12, "an orientation that is no rotation");
+}
+
+void read(const std::string& file, std::size_t fingers, bool body_moves) {
+  cli::TraceReader reader(file, fingers, body_moves);
+  godobject::Replay replay = replay_of(fingers, body_moves);
+  std::size_t rows = 0;
+  for (; reader.next(); ++rows) {
+    fuzz::require(fuzz::is_finite(reader.time()), "a time that is not finite");
+    fuzz::require(reader.fingers().size() == fingers, "a finger too few or too many");
+    for (const godobject::DevicePose& finger : reader.fingers()) {
+      fuzz::require(fuzz::is_finite(finger.twist), "a twist that is not finite");
+      require_pose(finger.position, finger.orientation);
     }
-    rows.push_back(row);
+    require_pose(reader.body().position, reader.body().orientation);
+
+    replay.step(reader.time(), reader.fingers(), reader.body());
+    for (const godobject::SceneContact& contact : replay.contacts()) {
+      fuzz::require(contact.proxy.allFinite() && contact.force.allFinite(), "the replay of finite numbers is not finite");
+      for (const double value : {contact.angle, contact.depth, contact.load, contact.moment}) {
+        fuzz::require(fuzz::is_finite(value), "the replay of finite numbers is not finite");
+      }
+      if (contact.state == godobject::ContactState::invalid) continue;  // holds what was
+      fuzz::require((contact.cor >= 0.0) == (contact.state == godobject::ContactState::slip),
+                    "a centre of rotation without slip, or the reverse");
+    }
   }
-  return rows;
+  fuzz::require(rows > 0, "a file of no rows is accepted");
 }
 
 }  // namespace
 
-/// A trace: rows of finite numbers, or an error with its place; the rows survive a round trip when written again; and the god-object
-/// replays it in finite numbers.
+/// A trace of one or two fingers and a body (the first byte chooses), by twists or quaternions: finite poses and rotations of unit length, or a
+/// complaint that names the place; and the god-object replays it in finite numbers.
 static const fuzz::Target trace_target("trace", [](const std::uint8_t* data, std::size_t size) {
   static fuzz::TemporaryFile file;
-  file.replace(fuzz::as_text(data, size));
-  std::vector<Row> rows;
-  if (const auto complaint = fuzz::complaint_of([&] { rows = read(file.path()); })) {
-    fuzz::require(complaint->substr(0, file.path().size() + 1) == file.path() + ":", "a complaint that does not name the place");
-    return;
-  }
-  fuzz::require(!rows.empty(), "a file of no rows is accepted");
-
-  std::string written = "twist,z,y,x,time\n";
-  for (const Row& row : rows) {
-    for (std::size_t column = row.size(); column-- > 0;) written += format_number(row[column]) + (column > 0 ? "," : "\r\n");
-  }
-  file.replace(written);
-  fuzz::require(read(file.path()) == rows, "rows do not come back");
-
-  static const godobject::ReplayOptions options = [] {
-    godobject::ReplayOptions result;
-    result.law = hertz();
-    result.finger.stiffness = 1000.0;
-    result.finger.twist_stiffness = 0.04;
-    result.curve = godobject::CurveKind::ellipse;
-    return result;
-  }();
-  godobject::Replay replay(options);
-  for (const auto& [time, x, y, z, twist] : rows) {
-    replay.step(time, std::array{godobject::DevicePose{{x, y, z}, Eigen::Quaterniond::Identity(), twist}});
-    const godobject::SceneContact& contact = replay.contacts().front();
-    fuzz::require(contact.proxy.allFinite() && contact.force.allFinite(), "the replay of finite numbers is not finite");
-    for (const double value : {contact.angle, contact.depth, contact.load, contact.moment}) {
-      fuzz::require(fuzz::is_finite(value), "the replay of finite numbers is not finite");
-    }
-    if (contact.state == godobject::ContactState::invalid) continue;  // holds what was
-    fuzz::require((contact.cor >= 0.0) == (contact.state == godobject::ContactState::slip),
-                  "a centre of rotation without slip, or the reverse");
-  }
+  fuzz::Bytes bytes(data, size);
+  const auto choice = bytes.take<std::uint8_t>();
+  file.replace(size > 0 ? fuzz::as_text(data + 1, size - 1) : std::string_view());
+  const auto complaint = fuzz::complaint_of([&] { read(file.path(), 1 + (choice & 1U), (choice & 2U) != 0); });
+  if (complaint) fuzz::require(complaint->rfind(file.path() + ":", 0) == 0, "a complaint that does not name the place");
 });
