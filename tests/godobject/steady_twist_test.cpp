@@ -51,19 +51,6 @@ TEST(SteadyTwist, ClosestPointSettlesAtTheCurvesWrench) {
   }
 }
 
-TEST(SteadyTwist, ClosestPointOnATableSettlesAtEquation17) {
-  const ExactCurve curve(hertz());
-  const Table table = Table::build(hertz(), 1e-8);
-  for (const double kappa : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
-    for (const double s : {1e-3, 0.3, 1.0, 4.0, 1e3}) {
-      const UnitWrench expected = curve.wrench(SlipTwist::about_cor(s));
-      const UnitWrench found = settled(table, Projection::closest_point, s, kappa);
-      EXPECT_NEAR(found.force, expected.force, accuracy::steady_wrench) << "kappa " << kappa << " s " << s;
-      EXPECT_NEAR(found.moment, expected.moment, accuracy::steady_wrench) << "kappa " << kappa << " s " << s;
-    }
-  }
-}
-
 TEST(SteadyTwist, RadialSettlesAtTheStiffnessRatio) {
   for (const double kappa : {0.1, 1.0, 10.0}) {
     const FingerCurve curve = exact_curve(hertz());
@@ -72,20 +59,6 @@ TEST(SteadyTwist, RadialSettlesAtTheStiffnessRatio) {
     const UnitWrench found = settled(curve, Projection::radial, 1.0, kappa);
     EXPECT_NEAR(found.force / found.moment * kappa * m0 * m0, 1.0, 1e-9);
   }
-}
-
-TEST(SteadyTwist, ClosestPointObeysALoadDependentRadius) {
-  const ExactCurve curve(hertz());
-  FingerParameters soft = parameters();
-  soft.radius_law = RadiusLaw::power(0.00207, 0.259);
-  const double a = soft.radius_law.radius(load);
-  SoftFinger finger(exact_curve(hertz()), soft);
-  const double c = 0.7 * a;
-  for (int i = 0; i <= 2000; ++i) finger.update(on_plane(i * 1e-5, 0.0, depth), i * 1e-5 / c);
-  const UnitWrench expected = curve.wrench(SlipTwist::about_cor(0.7));
-  EXPECT_NEAR(finger.output().force.norm(), mu * load * expected.force, 1e-9);
-  EXPECT_NEAR(std::fabs(finger.output().moment), mu * load * a * expected.moment, 1e-11);
-  EXPECT_NEAR(finger.output().cor, c, 1e-6 * c);
 }
 
 /// A finger whose device turns about a centre fixed in space: wrench and COR that it settles at, and by how much the force lags the device.

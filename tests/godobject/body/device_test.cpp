@@ -101,32 +101,6 @@ TEST(Device, StickSlipOfAMassKeepsItsPeriod) {
   }
 }
 
-// Point 8: limits are continuous in their parameters, zero included.
-TEST(Device, ADynamicLimitOfZeroIsTheLimitOfSmallOnes) {
-  const auto mean_moment = [](const FingerParameters& with) {
-    SoftFinger finger = finger_of(with);
-    double sum = 0.0, work = 0.0;
-    for (int i = 0; i < 2000; ++i) {
-      const FingerOutput output = finger.update(on_plane(0.0, 0.0, 0.0015), 2e-3 * i);
-      work += output.slip_work;
-      if (i < 1000) continue;
-      sum += std::fabs(output.moment) / 1000.0;
-      EXPECT_EQ(output.state, ContactState::slip);
-    }
-    EXPECT_GT(work, 0.0);
-    return sum;
-  };
-  FingerParameters with = skin();
-  with.mu_dynamic = 0.0;
-  EXPECT_LT(mean_moment(with), 1e-14);
-  with.mu_dynamic = 1e-12;
-  EXPECT_LT(mean_moment(with), 1e-14);
-  with = skin();
-  with.mu_r = 0.002;
-  with.mu_r_dynamic = 0.0;
-  EXPECT_LT(mean_moment(with), 1e-14);
-}
-
 // Point 9: one sample far away, refused, leaves no trace: afterwards the finger is where it was, on the face where it was. The finger keeps what the
 // surface remembers; the first edition's finger was pushed out of the wrong face with 60 N.
 TEST(Device, ARefusedSampleLeavesTheSurfacesMemory) {
@@ -191,21 +165,6 @@ TEST(Device, ADamperFollowsAClockThatJittersOrStandsStill) {
     last = time;
   }
   EXPECT_NEAR(finger.update(on_plane(0.0, 0.0, 0.05 * last + 5e-5), 0.0, 0.0).load, 1000.0 * (0.05 * last + 5e-5), 1e-12);
-}
-
-// Frozen for ten seconds at half the limit, then 2 cm away: nothing creeps, and no step exceeds the limit.
-TEST(Device, ThatFreezesAndGoesOnElsewhereFeelsNoMoreThanTheLimit) {
-  SoftFinger finger = finger_of(skin());
-  finger.update(on_plane(0.0, 0.0, 0.001), 0.0);
-  finger.update(on_plane(3e-4, 0.0, 0.001), 0.0);
-  const FingerOutput held = finger.output();
-  for (int i = 0; i < 10000; ++i) {
-    finger.update(on_plane(3e-4, 0.0, 0.001), 0.0);
-    ASSERT_EQ(finger.output().proxy, held.proxy) << i;
-  }
-  for (int i = 0; i < 100; ++i) {
-    ASSERT_LE(finger.update(on_plane(0.02 + 1e-5 * i, 0.0, 0.001), 0.0).force.norm(), 0.6 * (1.0 + 1e-12)) << i;
-  }
 }
 
 }  // namespace

@@ -299,22 +299,6 @@ TEST(PatchFinger, TheOriginOfThePatchPlaysNoPart) {
   }
 }
 
-TEST(PatchFinger, BadSamplesAreInvalidAndLoseNothing) {
-  SoftFinger finger(tripod(), usual());
-  finger.update(on_plane(0, 0, 1e-3), 0.0);
-  const FingerOutput good = finger.update(on_plane(1e-3, 0, 1e-3), 0.1);
-  for (const Contact& contact : {on_plane(nan, 0, 1e-3), on_plane(0, 0, nan), on_plane(5, 0, 1e-3), Contact{{0, 0, 0}, {0, 0, 2}, 1e-3}}) {
-    const FingerOutput bad = finger.update(contact, 0.1);
-    EXPECT_EQ(bad.state, ContactState::invalid);
-    EXPECT_TRUE(bad.force.allFinite());
-  }
-  EXPECT_EQ(finger.update(on_plane(1e-3, 0, 1e-3), nan).state, ContactState::invalid);
-  const FingerOutput again = finger.update(on_plane(1e-3, 0, 1e-3), 0.1);
-  EXPECT_NEAR((again.force - good.force).norm(), 0.0, 1e-6);
-  EXPECT_EQ(finger.update(on_plane(1e-3, 0, -1e-3), 0.1).state, ContactState::free);
-  EXPECT_EQ(finger.output().force.norm(), 0.0);
-}
-
 TEST(PatchFinger, WithoutFrictionFollowsTheFinger) {
   FingerParameters parameters = usual();
   parameters.mu = 0.0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/scene/choose_step.hpp"
 
-#include "godobject/scene/replay.hpp"
 #include "limitcurve/laws.hpp"
 #include "tests/repetitions.hpp"
 
@@ -9,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,69 +37,6 @@ std::string said(const StepChoice& choice) {
   std::string text;
   for (const std::string& line : choice.verdict) text += line + "\n";
   return text;
-}
-
-/// A finger that wanders within the scene: sliding in all directions, twisting and pressing at random rates.
-std::vector<DevicePose> wander(const Scene& scene, unsigned seed) {
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> share(-1.0, 1.0);
-  std::vector<DevicePose> motion;
-  DevicePose at;
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-  double spin = 0.0;
-  for (int i = 0; i < 6000; ++i) {
-    if (i % 200 == 0) {
-      velocity.x() = 0.7 * scene.slide_speed * share(engine);
-      velocity.y() = 0.7 * scene.slide_speed * share(engine);
-      spin = scene.twist_rate * share(engine);
-    }
-    at.position += velocity * scene.sample_time;
-    if (std::fabs(at.twist + spin * scene.sample_time) > 0.5 * scene.twist) spin = -spin;
-    at.twist += spin * scene.sample_time;
-    const double swing = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * i / 1500.0);
-    at.position.z() = -(scene.least_load + (scene.most_load - scene.least_load) * swing) / scene.stiffness;
-    motion.push_back(at);
-  }
-  return motion;
-}
-
-std::vector<SceneContact> replayed(const Scene& scene, const std::vector<DevicePose>& motion, CurveKind curve, Projection projection,
-                                   const RadiusLaw& radius_law, std::optional<double> mu_r) {
-  ReplayOptions options;
-  options.law = scene.law;
-  options.finger.radius_law = radius_law;
-  options.finger.mu = scene.mu;
-  options.finger.mu_r = mu_r;
-  options.finger.stiffness = scene.stiffness;
-  options.finger.twist_stiffness = scene.twist_stiffness;
-  options.curve = curve;
-  options.projection = projection;
-  options.tolerance = 1e-8;
-  Replay replay(options);
-  std::vector<SceneContact> contacts;
-  for (std::size_t i = 0; i < motion.size(); ++i) {
-    replay.step(scene.sample_time * static_cast<double>(i), {&motion[i], 1});
-    contacts.push_back(replay.contacts().front());
-  }
-  return contacts;
-}
-
-/// The largest change of the output over a random trace, in units of the friction limits: an independent check, which shares
-/// with `choose_step` no motion.
-double witnessed(const Scene& scene, unsigned seed, CurveKind curve, Projection projection, const RadiusLaw& radius_law,
-                 std::optional<double> mu_r = {}) {
-  const auto motion = wander(scene, seed);
-  const auto truth = replayed(scene, motion, CurveKind::table, Projection::closest_point, scene.radius_law, scene.mu_r);
-  const auto other = replayed(scene, motion, curve, projection, radius_law, mu_r);
-  const double m0 = scene.law->moment_ratio();
-  double result = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const double unit = scene.mu * truth[i].load;
-    const double force = (truth[i].force - other[i].force).norm() / unit;
-    const double moment = (truth[i].moment - other[i].moment) / (m0 * unit * scene.radius_law.radius(truth[i].load));
-    result = std::max(result, std::hypot(force, moment));
-  }
-  return result;
 }
 
 TEST(ChooseStep, TakesTheCheapestThatIsGoodEnough) {
@@ -184,41 +118,6 @@ TEST(ChooseStep, UnitsOfLengthDoNotMatter) {
       EXPECT_NEAR(same.candidates[i].error, choice.candidates[i].error, 0.003) << same.candidates[i].model;
     }
     EXPECT_LE(chosen(same).error, 0.01);
-  }
-}
-
-// What the chosen step and each simplification change on random motions stays near what `choose_step` found on its own.
-TEST(ChooseStep, RandomMotionsBearItOut) {
-  Scene soft = scene();
-  // A random motion must be sampled more often than that.
-  soft.sample_time = std::min(soft.sample_time, 0.01);
-  soft.radius_law = RadiusLaw::power(0.005, 0.259);
-  const StepChoice choice = choose_step(soft, 0.05);
-  const RadiusLaw mean = RadiusLaw::constant(soft.radius_law.radius(0.5 * (soft.least_load + soft.most_load)));
-  constexpr unsigned seeds = repetitions(3);
-  for (unsigned seed = 1; seed <= seeds; ++seed) {
-    const auto expect = [&](const char* what, const Effect& found, double error) {
-      EXPECT_LT(error, error_margin * found.largest + 1e-6) << what;
-      EXPECT_GT(error, 0.1 * found.largest) << what;
-    };
-    expect("coupling", choice.effects.coupling, witnessed(soft, seed, CurveKind::box, Projection::closest_point, soft.radius_law));
-    expect("curve", choice.effects.curve, witnessed(soft, seed, CurveKind::ellipse, Projection::closest_point, soft.radius_law));
-    expect("projection", choice.effects.projection, witnessed(soft, seed, CurveKind::table, Projection::radial, soft.radius_law));
-    expect("load radius", choice.effects.load_radius, witnessed(soft, seed, CurveKind::table, Projection::closest_point, mean));
-    expect("torsion", choice.effects.torsion, witnessed(soft, seed, CurveKind::table, Projection::closest_point, soft.radius_law, 0.0));
-  }
-}
-
-// Radii that are equal at the least and the most load and not between them: a table of the mean load was chosen, 17 and 81 % off.
-TEST(ChooseStep, ARadiusThatVariesBetweenTheLoadsCounts) {
-  for (const double middle : {0.0052, 0.006}) {
-    Scene one = scene();
-    one.sample_time = std::min(one.sample_time, 0.01);
-    one.radius_law = RadiusLaw::sampled(std::vector<LoadSample>{{0.5, 0.005}, {1.0, middle}, {2.0, 0.005}});
-    const StepChoice choice = choose_step(one, 0.02);
-    ASSERT_TRUE(choice.chosen) << middle;
-    EXPECT_EQ(chosen(choice).model, "table/closest-point/a(P)");
-    EXPECT_LE(witnessed(one, 1, CurveKind::table, Projection::closest_point, choice.chosen->finger.radius_law), 0.02);
   }
 }
 

@@ -152,29 +152,6 @@ TEST(Replay, TakesAFreeBodyAlong) {
   EXPECT_EQ(replay.body().velocity.z(), 0.0);
 }
 
-TEST(Replay, TwoFingersCarryABlock) {
-  ReplayOptions with = options();
-  with.motion = BodyMotion::free;
-  with.fingers = 2;
-  with.finger.damping = 2.0;
-  with.finger.twist_damping = 1e-4;
-  const Vector3d edges{0.12, 0.04, 0.04};
-  with.surface = AnySurface(BoxSurface(0.5 * edges));
-  with.body = BodyParameters::block(0.1, edges);
-  Replay replay(with);
-  for (int i = 0; i <= 3000; ++i) {
-    const double lift = 0.01 * std::min(i * 1e-3, 2.0);
-    replay.step(i * 1e-3, std::array{pose({0.0, 0.017, lift}), pose({0.0, -0.017, lift})});
-  }
-  // It hangs 0.981 N/(2·1000 N/m) below the fingers.
-  EXPECT_NEAR(replay.body().position.z(), 0.02 - 0.0004905, 1e-9);
-  EXPECT_EQ(replay.contacts()[0].state, ContactState::stick);
-  EXPECT_NEAR(replay.contacts()[0].force.z() + replay.contacts()[1].force.z(), -0.981, 1e-6);
-  EXPECT_NEAR(replay.contacts()[0].load, 3.0, 1e-6);
-  EXPECT_NEAR(replay.contacts()[0].load_to_hold, 0.4905 / mu, 1e-6);
-  EXPECT_NEAR(replay.contacts()[0].margin, 1.0 - 0.4905 / (mu * 3.0), 1e-6);
-}
-
 TEST(Replay, HoldsOnSamplesThatAreNotUsable) {
   for (const BodyMotion motion : {BodyMotion::fixed, BodyMotion::prescribed, BodyMotion::free}) {
     ReplayOptions with = options();
@@ -241,9 +218,6 @@ TEST(Replay, NamesWhatIsWrongWithItsOptions) {
   EXPECT_NE(message([](ReplayOptions& with) { with.fingers = 17; }).find("fingers"), std::string::npos);
   EXPECT_NE(message([](ReplayOptions& with) { with.finger.damping = -1.0; }).find("damping"), std::string::npos);
   EXPECT_NE(message([](ReplayOptions& with) { with.body.mass = 0.0; }).find("mass"), std::string::npos);
-  EXPECT_NE(message([](ReplayOptions& with) { with.finger.mu = -0.1; }).find("mu"), std::string::npos);
-  EXPECT_NE(message([](ReplayOptions& with) { with.finger.stiffness = 0.0; }).find("stiffness"), std::string::npos);
-  EXPECT_NE(message([](ReplayOptions& with) { with.finger.twist_stiffness = -1.0; }).find("twist_stiffness"), std::string::npos);
   EXPECT_NE(message([](ReplayOptions& with) {
               with.curve = CurveKind::table;
               with.tolerance = 0.0;
