@@ -114,20 +114,6 @@ TEST(MethodAgreement, DirectAndTheRest) {
   }
 }
 
-/// k = 2 is Hertz: the law without a closed form against the one that has it.
-TEST(MethodAgreement, XydasAndKaoMeetsHertz) {
-  RandomCases cases(3);
-  const Law numerical = xydas_kao(2.0);
-  const Law closed = hertz();
-  for (int i = 0; i < 300; ++i) {
-    const double s = cases.cor();
-    const WrenchEstimate a = numerical->evaluate(s);
-    const WrenchEstimate b = closed->evaluate(s);
-    EXPECT_LE(std::fabs(a.wrench.force - b.wrench.force), a.error.force + b.error.force) << s;
-    EXPECT_LE(std::fabs(a.wrench.moment - b.wrench.moment), a.error.moment + b.error.moment) << s;
-  }
-}
-
 /// Both sides of each switch between branches: the value does not jump by more than the curve moves.
 TEST(MethodAgreement, BranchesMeet) {
   for (const Law& law : {hertz(), uniform(), parabolic(), flat_punch(), cone(), gaussian(0.4), power(2.3), power(-0.8)}) {

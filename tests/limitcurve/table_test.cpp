@@ -9,7 +9,6 @@
 #include "limitcurve/quadrature/evaluators.hpp"
 #include "special_values.hpp"
 #include "table_errors.hpp"
-#include "tests/function_law.hpp"
 #include "tests/repetitions.hpp"
 #include "tests/superellipse.hpp"
 
@@ -135,28 +134,6 @@ TEST(Table, CheckedErrorHoldsBetweenRepresentablePlaces) {
   }
 }
 
-/// A profile of samples: smooth, or with a jump within the contact.
-Law profile(double jump_at, double jump_to) {
-  std::vector<PressureSample> samples;
-  for (int i = 0; i <= 20; ++i) {
-    const double rho = i / 20.0;
-    const double pressure = std::pow(1.0 - rho * rho, 1.3) * (1.0 + 0.3 * rho);
-    samples.push_back({rho, rho <= jump_at ? pressure : jump_to * pressure});
-    if (rho <= jump_at && (i + 1) / 20.0 > jump_at && jump_to != 1.0) samples.push_back({rho, jump_to * pressure});
-  }
-  return limitcurve::samples(samples, "profile.csv");
-}
-
-TEST(Table, TakesMeasuredProfiles) {
-  for (const Law& law : {profile(0.5, 1.0), profile(0.35, 0.6), profile(0.7, 0.3)}) {
-    const Table table = Table::build(law, 1e-10);
-    EXPECT_LE(worst_error(table, exact_of(law), 1000), table.checked_error());
-    EXPECT_LE(table.checked_error(), 1e-10);
-    expect_convex_and_smooth(table);
-  }
-  EXPECT_LE(Table::build(profile(0.5, 1.0), 1e-12).checked_error(), 1e-12);
-}
-
 struct NamedCurve {
   const char* name;
   std::function<UnitWrench(SlipTwist)> exact;
@@ -239,14 +216,6 @@ TEST(Table, NamesTheFinestToleranceThatIsPossible) {
   const double possible = std::stod(text.substr(text.find(finest) + finest.size()));
   EXPECT_LE(build(possible).checked_error(), possible);
   EXPECT_THROW(build(possible / 2.5), std::runtime_error);
-}
-
-TEST(Table, RefusesALawWhoseOwnErrorIsLarger) {
-  // A kink that the law does not list.
-  const Law kinked = std::make_shared<test::FunctionLaw>(
-      "kinked", [](Extended rho) { return rho < 0.5L ? 24.0L / 13 * (1 - rho) : 12.0L / 13; }, std::vector<Extended>{0, 1});
-  const std::string text = complaint([&] { Table::build(kinked, 1e-12); });
-  expect_mention(text, "table of kinked");
 }
 
 TEST(Table, RefusesCurvesWithCorners) {

@@ -42,20 +42,6 @@ TEST(PatchImage, IsTheSumOfItsSquaresToItsStatedError) {
   expect(few, 4, -1.0, 0.1);
 }
 
-TEST(PatchImage, UnderOrthotropicFrictionIsTheRectangle) {
-  // Pixels become rectangles: even ten times as long as wide.
-  const std::vector<double> even(64 * 64, 1.0);
-  for (const auto& [mx, my] : {std::pair{1.5, 1.0}, {1.0, 3.0}, {0.2, 2.0}}) {
-    const Patch image = Patch::image(even, 64, 0.5 / 64).orthotropic(mx, my);
-    const Patch whole = Patch::rectangle(0.5, 0.5).orthotropic(mx, my);
-    for (const PatchTwist& twist : twists(0.5, 200, -2.0, 1.0)) {
-      const double error = test::difference(image.evaluate(twist), whole.evaluate(twist), whole.moment_ratio());
-      EXPECT_LE(error, image.about_origin(twist).error) << mx << ' ' << my;
-      EXPECT_LE(error, 1e-4) << mx << ' ' << my;
-    }
-  }
-}
-
 /// An even rectangle of full sides (x, y) under orthotropic friction by brute force: an isotropic one of the stretched sides.
 PatchFriction stretched_rectangle(double x, double y, double mx, double my, PatchTwist twist) {
   twist = {mx * twist.vx, my * twist.vy, twist.omega};
@@ -96,14 +82,6 @@ TEST(PatchImage, UnderAnyRatioOfFrictionKeepsItsStatedError) {
       EXPECT_LE(std::hypot(friction.wrench.fx / mx, friction.wrench.fy / my), 1.0 + friction.error / std::min(mx, my));
     }
   }
-}
-
-TEST(PatchImage, FirstRowHasTheLargestY) {
-  // Heavier on top: seen from the centre of pressure the light row is farther away, at negative y.
-  const Patch patch = Patch::image(std::vector<double>{3, 3, 1, 1}, 2, 1.0);
-  const double low = patch.evaluate(about({0, -0.7})).power;
-  const double high = patch.evaluate(about({0, 0.7})).power;
-  EXPECT_GT(low, high);
 }
 
 }  // namespace
