@@ -4,8 +4,6 @@
 // scripts/maintain/compare_speed compiles it against two commits and runs both in turn.
 //
 //     finger_bench [REGEX]   the workloads with matching names (default all), as CSV
-//     finger_bench --list    their names
-//     finger_bench --turn NAME   one round of the workload for each line of input; prints a line `mean_ns,worst_ns,result` for each
 //
 // mean_ns: processor time of this process for a step (batches: a contact). worst_ns: a motion is timed in stretches of 128 steps (grasp:
 // 32); this is the mean step of the slowest stretch, where each stretch counts with its fastest pass, so that interrupts do not count.
@@ -23,7 +21,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <functional>
-#include <iostream>
 #include <memory>
 #include <regex>
 #include <string>
@@ -281,14 +278,12 @@ std::vector<Workload> workloads() {
   return result;
 }
 
-/// In the format of the scripts.
 void print(const Round& round) {
   if (std::isnan(round.worst)) {
     std::printf("%.6g,,%.12g\n", round.mean, round.result);
   } else {
     std::printf("%.6g,%.6g,%.12g\n", round.mean, round.worst, round.result);
   }
-  std::fflush(stdout);
 }
 
 /// The median round.
@@ -302,24 +297,6 @@ Round median_round(Workload& workload) {
 int run(const std::vector<std::string>& arguments) {
   std::vector<Workload> all = workloads();
   const std::string first = arguments.empty() ? "" : arguments[0];
-  if (first == "--list") {
-    for (const Workload& workload : all) std::puts(workload.name().c_str());
-    return 0;
-  }
-  if (first == "--turn" && arguments.size() == 2) {
-    const auto found = std::ranges::find(all, arguments[1], &Workload::name);
-    if (found == all.end()) {
-      std::fprintf(stderr, "finger_bench: there is no workload '%s' (--list names them)\n", arguments[1].c_str());
-      return 2;
-    }
-    found->start();
-    for (std::string line; std::getline(std::cin, line);) print(found->round());
-    return 0;
-  }
-  if (arguments.size() > 1 || first.starts_with("-")) {
-    std::fprintf(stderr, "finger_bench [REGEX] | --list | --turn NAME\n");
-    return 2;
-  }
   const std::regex wanted(first);
   std::puts("workload,mean_ns,worst_ns,result");
   for (Workload& workload : all) {
