@@ -15,7 +15,7 @@ DATA = Path(os.environ["LIMITCURVE_DATA"])
 
 UNIT_QUESTION = re.compile(r"(?m)^limitcurve: warning: .*: (is it|are they) in (metres|newtons|radians)\b.*\n")
 # What is said of a job that takes long: how long that is depends on the machine.
-PROGRESS = re.compile(r"(?m)^(limitcurve: [a-z-]+|report): (\d+ %, )?\d+ s\n")
+PROGRESS = re.compile(r"(?m)^limitcurve: [a-z-]+: (\d+ %, )?\d+ s\n")
 
 
 def run(*arguments, **options):
