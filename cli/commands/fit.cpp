@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fit/model_fit.hpp"
 
-#include "cli/commands/fit_friction.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/descriptor.hpp"
 #include "cli/io/patch_argument.hpp"
@@ -51,11 +50,7 @@ class Fit final : public Subcommand {
   }
 
   void declare(Options& options) override {
-    options.choice("MODEL", model_, models, "What to fit", Presence::required, [](const std::string& text) {
-      if (text != "superellipse" && text != "quartic") return "";
-      return "; a curve of that shape would be of no use: 'limitcurve table --law LAW' has the exact curve, and 'fit ratio' and 'fit law' "
-             "find the parameters of measured slips";
-    });
+    options.choice("MODEL", model_, models, "What to fit", Presence::required);
     options.text("--data", data_, "FILE", "CSV of measurements, or - for standard input");
     options.file_columns(file_columns_);
     options.least_load(file_columns_);
@@ -141,9 +136,14 @@ class Fit final : public Subcommand {
       questions.load(*load_);
       messages_->say(questions.lines());
     }
-    const fit::FrictionFit found = fit_friction(patch, data_, load_, file_columns_);
-    for (const std::string& warning : found.warnings) say("warning", warning);
-    return found.estimates;
+    const std::vector<fit::Push> pushes = read_pushes(data_, file_columns_);
+    try {
+      const fit::FrictionFit found = fit::fit_friction(patch, pushes, load_.value_or(1.0), load_ ? "1" : "N");
+      for (const std::string& warning : found.warnings) say("warning", warning);
+      return found.estimates;
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(data_ + ": " + error.what());
+    }
   }
 
   /// A note or warning that the user must know before using the numbers.

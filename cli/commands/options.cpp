@@ -82,19 +82,18 @@ void Options::whole(const std::string& name, const std::function<void(std::size_
 }
 
 void Options::choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
-                     Presence presence, const char* (*advice)(const std::string& text)) {
+                     Presence presence) {
   std::string kind;
   for (const std::string& choice : choices) kind += (kind.empty() ? "" : "|") + choice;
   const std::string standard = presence == Presence::required ? "" : " (default " + choices.at(value) + ")";
   this->value(
       name, kind,
-      [&value, choices = std::move(choices), kind, advice](const std::string& text) {
+      [&value, choices = std::move(choices), kind](const std::string& text) {
         std::string given = text;
         std::replace(given.begin(), given.end(), '_', '-');
         const auto found = std::find(choices.begin(), choices.end(), given);
         if (found == choices.end()) {
-          throw std::invalid_argument("got '" + text + "', expected " + kind + did_you_mean(text, {choices.begin(), choices.end()}) +
-                                      (advice == nullptr ? "" : advice(text)));
+          throw std::invalid_argument("got '" + text + "', expected " + kind + did_you_mean(text, {choices.begin(), choices.end()}));
         }
         value = static_cast<std::size_t>(found - choices.begin());
       },

@@ -68,10 +68,9 @@ class Options {
     this->value(
         name, joined(names), [&value, parse](const std::string& text) { value = parse(text); }, help, Presence::optional);
   }
-  /// One of `choices`; `value` receives its index and holds the default. `advice` may end the
-  /// complaint of a word that is none of them.
+  /// One of `choices`; `value` receives its index and holds the default.
   void choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
-              Presence presence = Presence::optional, const char* (*advice)(const std::string& text) = nullptr);
+              Presence presence = Presence::optional);
 
   /// The numbers of a finger (godobject/finger/finger_parameter_table.hpp), of which `required` must be given, and only `rare` ones or only the others.
   void finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required, bool rare);

@@ -65,4 +65,16 @@ fit::LoadSamples read_load_samples(const std::string& file, const FileColumns& c
   return samples;
 }
 
+std::vector<fit::Push> read_pushes(const std::string& file, const FileColumns& columns) {
+  std::vector<fit::Push> pushes;
+  CsvReader reader(file, {"force_x", "force_y", "moment", "dx", "dy", "dtheta"}, {}, columns);
+  while (reader.next()) {
+    const auto number = [&reader](std::size_t column) { return reader.number(column, finite); };
+    pushes.push_back({{number(0), number(1), number(2)}, {number(3), number(4), number(5)}});
+    const PatchTwist& moved = pushes.back().displacement;
+    if (moved.vx == 0.0 && moved.vy == 0.0 && moved.omega == 0.0) throw reader.complaint(3, "no displacement, expected a push that slides");
+  }
+  return pushes;
+}
+
 }  // namespace limitcurve::cli

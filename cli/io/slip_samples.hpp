@@ -3,6 +3,7 @@
 
 #include "cli/io/csv_reader.hpp"
 
+#include "fit/friction_fit.hpp"
 #include "fit/measurements.hpp"
 #include "fit/ratio_fit.hpp"
 
@@ -24,5 +25,8 @@ std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio
 
 /// Reads radii or moments from a CSV of load,radius[,sigma_radius] or load,moment[,sigma_moment]; throws likewise.
 fit::LoadSamples read_load_samples(const std::string& file, const FileColumns& columns = {});
+
+/// Reads pushes of a patch that slid from a CSV of force_x,force_y,moment,dx,dy,dtheta; throws likewise.
+std::vector<fit::Push> read_pushes(const std::string& file, const FileColumns& columns = {});
 
 }  // namespace limitcurve::cli

@@ -242,8 +242,6 @@ class Fit(CommandLineTest):
         self.assert_fails(2, ["MODEL", "circle", "ellipse|"], "fit", "circle", "--law", "hertz")
         self.assert_fails(2, "--data", "fit", "ratio", "--law", "hertz")
         self.assert_fails(2, "--law", "fit", "ellipse")
-        for gone in ("superellipse", "quartic"):  # a refusal that says what does the job
-            self.assert_fails(2, [gone, "ellipse|ratio|", "limitcurve table", "fit law"], "fit", gone, "--law", "hertz")
         self.assert_fails(2, ["outer", "minimax|inner"], "fit", "ellipse", "--law", "hertz", "--criterion", "outer")
         self.assert_fails(2, ["--loss"], "fit", "ellipse", "--data", data, "--loss", "fair")
         self.assert_fails(2, ["absent.csv"], "fit", "ellipse", "--data", self.directory / "absent.csv")
