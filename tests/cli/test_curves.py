@@ -31,14 +31,6 @@ class Eval(CommandLineTest):
     def test_columns(self):
         self.assertEqual(header("eval", "--law", "hertz", "--c", "1"), "c,force,moment,force_error,moment_error")
 
-    def test_scales_with_radius_load_and_friction(self):
-        unit = rows("eval", "--law", "parabolic", "--c", "0,0.5,1,8,inf")
-        # Powers of two: the scaled values are the same bits.
-        scaled = rows("eval", "--law", "parabolic", "--c", "0,0.125,0.25,2,inf", "--radius", "0.25", "--load", "8", "--mu", "0.5")
-        for one, other in zip(unit, scaled):
-            self.assertEqual(other["force"], 4 * one["force"])
-            self.assertEqual(other["moment"], one["moment"])
-
     def test_numbers_read_back_exactly(self):
         places = [0.1, 1 / 3, 2**-1074, 1.7976931348623157e308, 1 + 2**-52]
         for row, place in zip(rows("eval", "--law", "hertz", "--c", numbers(places)), places):
@@ -72,12 +64,6 @@ class Curves(CommandLineTest):
         self.assertEqual(header("curve", "--law", "hertz"), "c,force,moment,x,y")
         self.assertEqual(header("p-curves", *load_dependent), "load,c,force,moment")
         self.assertEqual(header("c-curves", *load_dependent, "--cors", "0,1"), "c,load,force,moment")
-
-    def test_a_curve_is_eval_in_the_normalised_plane(self):
-        curve = rows("curve", "--law", "uniform", "--points", "5")
-        exact = rows("eval", "--law", "uniform", "--c", numbers(point["c"] for point in curve))
-        self.assertEqual([(point["force"], point["moment"]) for point in curve], [(row["force"], row["moment"]) for row in exact])
-        self.assertEqual([(point["x"], point["y"]) for point in curve], [(point["force"], point["moment"] / (2 / 3)) for point in curve])
 
     def test_a_measured_radius_law(self):
         radii = self.file("radii.csv", "load,radius\n1,0.002\n4,0.003\n")

@@ -4,7 +4,7 @@
 import math
 import unittest
 
-from command_line import DATA, CommandLineTest, rows, run
+from command_line import CommandLineTest, rows, run
 
 CONTACT = ["--law", "hertz", "--radius-law", "hertz:R=0.008,E=2e5", "--mu", "0.8"]
 PATCH = ["--patch", "rectangle:x=0.02,y=0.01", "--mu", "0.5"]
@@ -84,15 +84,6 @@ class Hold(CommandLineTest):
             self.assert_fails(2, "--down", "hold", *PATCH, "--mass", 1, "--offset", 0, "--down", down)
         self.assert_fails(2, "--down", "hold", *CONTACT, "--mass", 1, "--offset", 0, "--down", "0,-1")
 
-    def check_against_replay(self, contact, trace, wrench):
-        found = [row for row in rows("replay", "--trace", trace, *contact, *FINGER, "--details") if row["state"] == "stick" and row["load"] > 0]
-        self.assertGreater(len(found), 50)
-        columns = ",".join(wrench(found[0]))
-        data = self.data(f"load,{columns}", [(row["load"], *wrench(row).values()) for row in found])
-        for row, expected in zip(rows("hold", *contact, "--data", data), found, strict=True):
-            self.assertAlmostEqual(row["margin"], expected["margin"], delta=1e-6)
-            self.assertAlmostEqual(row["hold_load"], expected["hold_load"], delta=1e-6 * expected["load"])
-
     def test_a_sensor_s_own_columns_and_units(self):
         si = self.data("load,force,moment", [(3.0, 1.2, 2e-3), (5.0, 0.3, -1e-3)])
         expected = rows("hold", *CONTACT, "--data", si)
@@ -136,12 +127,6 @@ class Hold(CommandLineTest):
             for curve in ("exact", "table"):
                 self.assert_fails(2, "--law", *command, "--curve", curve, *contact)
             self.assert_fails(2, "--law", *command, "--curve", "ellipse", "--mu", "0.6", *sized)
-
-    def test_margin_is_that_of_replay(self):
-        self.check_against_replay(CONTACT, DATA / "traces" / "slide_twist_load.csv",
-                                  lambda row: {"force": math.hypot(row["fx"], row["fy"]), "moment": row["moment"]})
-        straight = self.file("trace.csv", "time,x,y,z,twist\n" + "".join(f"{i / 1000},{1e-5 * i},{5e-6 * i},-0.002,0\n" for i in range(100)))
-        self.check_against_replay(PATCH, straight, lambda row: {"fx": row["fx"], "fy": row["fy"], "moment": row["moment"]})
 
     def test_margin_at_the_ends(self):
         for contact, columns, zero, some in ((CONTACT, "force,moment,load", (0, 0), (1, 0)), (PATCH, "fx,fy,moment,load", (0, 0, 0), (1, 0, 0))):

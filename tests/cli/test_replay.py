@@ -54,11 +54,6 @@ class Replays(CommandLineTest):
         call[call.index("--law") + 1] = "hertz"
         self.assertNotIn("of which", run(*call).stderr)
 
-    def test_a_box_goes_with_the_closest_point_only(self):
-        for projection in ["radial", "c-curve"]:
-            self.assert_fails(2, ["projection", "a box goes with closest-point only"], "replay", "--trace", DATA / "traces" / "constant_twist.csv",
-                              *FINGER, "--curve", "box", "--projection", projection)
-
     def test_coefficients(self):
         twist = "time,x,y,z,twist\n" + "".join(f"{i},0,0,-0.001,{i}\n" for i in range(7))
         self.assertAlmostEqual(self.replay(twist, "--mu-r", "0.004")[-1]["moment"], -0.004, delta=1e-12)
@@ -166,21 +161,6 @@ class Replays(CommandLineTest):
         for options in [[], ["--details"], ["--surface", "box:x=10,y=10,z=2e-12"]]:
             held = self.replay(metre.replace("1.006", "0.3"), "--max-displacement", "0.01", *options, remark="maximum displacement")
             self.assertEqual([row["state"] for row in held[3:]], ["slip", "invalid", "slip"], options)
-
-    def test_what_is_felt_fades_over_rows_that_stay_invalid(self):
-        late = TRACE + "".join(f"0.001,0.00{i},0,-0.001,0\n" for i in (7, 8, 9)) + "0.005,0.0051,0,-0.001,0\n"
-        rows = self.replay(late, "--fault-decay", "0.25", remark="the time goes back")
-        self.assertEqual([row["state"] for row in rows[3:]], ["slip", "invalid", "invalid", "invalid", "slip"])
-        for name in ["load", "fx"]:
-            self.assertEqual([row[name] for row in rows[4:7]], [rows[3][name] * kept for kept in (1, 0.25, 0.0625)])
-
-    def test_the_repository_s_own_trace(self):
-        last = rows("replay", "--trace", DATA / "traces" / "constant_twist.csv", *FINGER, "--curve", "table", "--tolerance", "1e-8",
-                    "--projection", "closest-point")[-1]
-        exact = rows("eval", "--law", "hertz", "--c", "0.005", "--radius", "0.006", "--mu", "0.6", "--load", repr(last["load"]))[0]
-        self.assert_close(math.hypot(last["fx"], last["fy"]), exact["force"], 1e-6)
-        self.assert_close(abs(last["moment"]), exact["moment"], 1e-6)
-        self.assert_close(last["cor"], 0.005, 1e-6)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import unittest
 
-from command_line import DATA, EXECUTABLE, CommandLineTest, header, numbers, rows, run
+from command_line import DATA, EXECUTABLE, CommandLineTest, header, rows, run
 
 
 class Translate(CommandLineTest):

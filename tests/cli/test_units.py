@@ -4,7 +4,7 @@
 import math
 import unittest
 
-from command_line import DATA, CommandLineTest, numbers, rows, run
+from command_line import CommandLineTest, rows, run
 
 LAW = ["--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.6"]
 FINGER = ["--stiffness", "1000", "--twist-stiffness", "0.036"]
