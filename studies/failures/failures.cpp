@@ -2,15 +2,7 @@
 // stability_study DIR: measures every entry of docs/stability.md and writes summary.csv (a line for each finding) and a CSV for each figure
 // (panel,series,x,value) into DIR. studies/failures/measure draws and documents them.
 #include "failures.hpp"
-#include "motion/geometry.hpp"
-#include "motion/projection.hpp"
-#include "motion/reality.hpp"
-#include "motion/stepping.hpp"
 #include "number_text.hpp"
-#include "numerics/fits.hpp"
-#include "numerics/quadrature.hpp"
-#include "numerics/tables.hpp"
-#include "numerics/turns.hpp"
 
 #include <cstdio>
 #include <exception>

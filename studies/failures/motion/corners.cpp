@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Entry "projection": curves with corners.
+#include "../failures.hpp"
 #include "../random.hpp"
 #include "godobject/finger_curve.hpp"
 #include "godobject/friction.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
-#include "projection.hpp"
 
 #include <algorithm>
 #include <array>
@@ -102,27 +102,6 @@ std::array<CornerErrors, 2> corner_errors(const Box& box) {
   return worst;
 }
 
-/// Lines from trials to the wrenches found for them, in the normalised plane, with equal springs there.
-Figure ways(const Box& box) {
-  Figure figure{"projection_corners", {}};
-  const double m0 = box.moment_ratio();
-  int number = 0;
-  for (const double x : {0.3, 0.7, 1.2, 1.6}) {
-    for (const double y : {0.4, 0.8, 1.2, 1.6}) {
-      const Trial trial{x, y * m0, 1.0 / (m0 * m0), 1.0};
-      if (!(box.gauge({trial.force, trial.moment}) > 1.0)) continue;
-      const auto add = [&](const std::string& series, UnitWrench wrench) {
-        figure.rows.push_back({"box", series + std::to_string(number), x, y});
-        figure.rows.push_back({"box", series + std::to_string(number), wrench.force, wrench.moment / m0});
-      };
-      add("search ", by_search(box, trial));
-      add("ours ", by_us(box, trial));
-      ++number;
-    }
-  }
-  return figure;
-}
-
 }  // namespace
 
 Hazard corners() {
@@ -132,7 +111,7 @@ Hazard corners() {
   const std::string method = "search for the wrench with the given normal, box";
   return {{{hazard, method, "distance from the closest point, in the normalised plane", search.distance, ours.distance},
            {hazard, method, "least slip work, in (μP)²/k_l (must be ≥ 0)", search.work, ours.work}},
-          {ways(of_hertz)}};
+          {}};
 }
 
 }  // namespace limitcurve::stability

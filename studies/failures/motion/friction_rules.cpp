@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Entry "projection": wrong rules.
+#include "../failures.hpp"
 #include "../numerics/sampling.hpp"
 #include "bristles.hpp"
 #include "godobject/soft_finger.hpp"
@@ -7,7 +8,6 @@
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
-#include "projection.hpp"
 
 #include <algorithm>
 #include <array>
@@ -174,15 +174,9 @@ Hazard order_of_limits() {
 
 Hazard chatter() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"projection_chatter", {}});
   constexpr double speed = 0.005;
   const std::vector<double> asked = dragged(speed, false);
   const std::vector<double> ours = dragged(speed, true);
-  for (std::size_t i = 80; i < 280; ++i) {
-    const double time = 1e3 * tick * static_cast<double>(i - 80);
-    figure.rows.push_back({"force", "static limit in every step", time, asked[i]});
-    figure.rows.push_back({"force", "limitcurve", time, ours[i]});
-  }
   const double drop = static_limit - dynamic_limit;
   found.findings.push_back({"μ_s > μ_d, a steady drag", "static limit in every step", "swing of the force, in (μ_s − μ_d)P",
                             swing(asked) / drop, swing(ours) / drop});
@@ -194,13 +188,8 @@ Hazard chatter() {
   double our_error = 0.0;
   for (const double v : in_ratios(0.02, 0.2, 13)) {
     const double exact = drawn.exact_period(v);
-    const double of_asked = drawn.simulated(v, false);
-    const double of_ours = drawn.simulated(v, true);
-    figure.rows.push_back({"period", "exact", 1e3 * v, 1e3 * exact});
-    figure.rows.push_back({"period", "static limit in every step", 1e3 * v, 1e3 * of_asked});
-    figure.rows.push_back({"period", "limitcurve", 1e3 * v, 1e3 * of_ours});
-    asked_error = std::max(asked_error, std::fabs(of_asked / exact - 1.0));
-    our_error = std::max(our_error, std::fabs(of_ours / exact - 1.0));
+    asked_error = std::max(asked_error, std::fabs(drawn.simulated(v, false) / exact - 1.0));
+    our_error = std::max(our_error, std::fabs(drawn.simulated(v, true) / exact - 1.0));
   }
   found.findings.push_back({"μ_s > μ_d, stick–slip of a mass", "static limit in every step",
                             "relative error of the period (20 to 200 mm/s)", asked_error, our_error});
@@ -220,37 +209,20 @@ Hazard collapsing_load() {
   const auto contact = [](double x, double load) { return Contact{{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), load / contact_stiffness}; };
   // A load of 5 N, a deflection up to the limit, then a drop to 5 mN in one step, at rest.
   finger.update(contact(0.0, 5.0), 0.0);
-  double bristle_force = 0.0;
-  double scaled_force = 0.0;
   for (int i = 0; i <= 1000; ++i) {
     finger.update(contact(1e-5 * i, 5.0), 0.0);
-    bristle_force = bristles.update(1e-5 * i, mu * 5.0);
-    scaled_force = 5.0 * per_newton.update(1e-5 * i, mu);
+    bristles.update(1e-5 * i, mu * 5.0);
+    per_newton.update(1e-5 * i, mu);
   }
-  // Drawn from the tenth sample before it to the tenth after it.
-  Figure& figure = found.figures.emplace_back(Figure{"projection_collapse", {}});
-  const auto draw = [&](double sample, double load, double ours) {
-    figure.rows.push_back({"force", "limit", sample, mu * load});
-    figure.rows.push_back({"force", "bristles of a fixed stiffness", sample, bristle_force});
-    figure.rows.push_back({"force", "bristles of a stiffness in proportion to the load", sample, scaled_force});
-    figure.rows.push_back({"force", "limitcurve", sample, ours});
-  };
-  for (int i = -10; i < 0; ++i) draw(i, 5.0, finger.output().force.norm());
   const FingerOutput let_go = finger.update(contact(0.01, 0.005), 0.0);
-  bristle_force = bristles.update(0.01, mu * 0.005);
-  scaled_force = 0.005 * per_newton.update(0.01, mu);
+  const double bristle_force = bristles.update(0.01, mu * 0.005);
+  const double scaled_force = 0.005 * per_newton.update(0.01, mu);
   const std::string quantity = "friction force at rest / limit (load to a thousandth in one step)";
   const double ours = let_go.force.norm() / (mu * let_go.load);
   found.findings.push_back(
       {"load drops in one step", "bristles of a fixed stiffness (Dahl, LuGre)", quantity, bristle_force / (mu * 0.005), ours});
   found.findings.push_back({"load drops in one step", "bristles of a stiffness in proportion to the load (LuGre of tyres)", quantity,
                             scaled_force / (mu * 0.005), ours});
-  draw(0.0, 0.005, let_go.force.norm());
-  for (int i = 1; i <= 10; ++i) {
-    bristle_force = bristles.update(0.01, mu * 0.005);
-    scaled_force = 0.005 * per_newton.update(0.01, mu);
-    draw(i, 0.005, finger.update(contact(0.01, 0.005), 0.0).force.norm());
-  }
   return found;
 }
 

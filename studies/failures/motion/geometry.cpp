@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Entry "geometry": shapes.
-#include "geometry.hpp"
+#include "../failures.hpp"
 
 #include "../../../tests/touch.hpp"
 #include "../numerics/sampling.hpp"
@@ -40,7 +40,6 @@ Contact nearest_face(const Vector3d& half, const Vector3d& finger) {
 
 Hazard thin_plate() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"geometry_plate", {}});
   const Vector3d half{0.03, 0.02, 0.0005};
   const BoxSurface box(half);
   ContactMemory memory;
@@ -50,10 +49,8 @@ Hazard thin_plate() {
     const double depth = 1e-5 * i;
     const Vector3d finger(0.003, 0.001, half.z() - depth);
     const std::array forces{push(nearest_face(half, finger)), push(touch(box, finger, memory))};
-    constexpr std::array series{"nearest surface point", "limitcurve"};
     for (std::size_t j = 0; j < forces.size(); ++j) {
       short_by[j] = std::max(short_by[j], std::max(stiffness * depth, 0.0) - forces[j]);
-      if (i % 2 == 0) figure.rows.push_back({"force", series[j], 1e3 * depth, forces[j]});
     }
   }
   found.findings.push_back({"thin plate", "nearest surface point (ours: box)",
@@ -75,7 +72,6 @@ Hazard normals_that_jump() {
   double ours = 0.0;
   double work = 0.0;
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"geometry_normals", {}});
   for (int i = 0; i < 4000; ++i) {
     const double angle = 0.002 * i;
     const double of_face = 0.25 * std::numbers::pi * std::round(angle / (0.25 * std::numbers::pi));
@@ -93,11 +89,6 @@ Hazard normals_that_jump() {
     proxy = contact.point + pull;
     customary = std::max(customary, std::fabs(pull.dot(normal)) / most);
     const FingerOutput output = finger.update(contact, 0.0);
-    const double degrees = angle * 180.0 / std::numbers::pi;
-    if (degrees >= 10.0 && degrees <= 80.0) {
-      figure.rows.push_back({"normal", "spring to the proxy", degrees, pull.dot(normal) / most});
-      figure.rows.push_back({"normal", "limitcurve", degrees, output.force.dot(normal) / (mu * output.load)});
-    }
     ours = std::max(ours, std::fabs(output.force.dot(normal)) / (mu * output.load));
     work = std::min(work, output.slip_work);
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Entry "time": forces that are sampled, late, and from the steps of an encoder.
+#include "../failures.hpp"
 #include "../numerics/sampling.hpp"
 #include "godobject/scene/passivity.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
-#include "stepping.hpp"
 
 #include <algorithm>
 #include <array>
@@ -105,10 +105,6 @@ ToAndFro to_and_fro(double stiffness, double damping, double sample_time) {
   return sum;
 }
 
-double in_steps(double x, double step) {
-  return step * std::round(x / step);
-}
-
 }  // namespace
 
 Hazard delayed_forces() {
@@ -133,18 +129,15 @@ Hazard delayed_forces() {
 
 Hazard sampled_contact() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"time_passivity", {}});
   double off = 0.0;
   double most_given = 0.0;
   double our_given = 0.0;
   for (const double sample_time : {1e-4, 1e-3, 1e-2}) {
-    const std::string series = sample_time == 1e-4 ? "10 kHz" : sample_time == 1e-3 ? "1 kHz" : "100 Hz";
     for (const double stiffness : in_ratios(10.0, 1e4, 7)) {
       for (const double damping : {0.0, 0.1, 1.0, 10.0}) {
         const ToAndFro sum = to_and_fro(stiffness, damping, sample_time);
         const double needed = device_damping_needed(stiffness, damping, sample_time);
         const double measured = sum.given / sum.taken_per_damping;
-        figure.rows.push_back({"needed", series, needed, measured});
         off = std::max(off, std::fabs(measured / needed - 1.0));
         const double unit = sum.taken_per_damping * needed;
         most_given = std::max(most_given, (sum.given - sum.taken_per_damping * damping) / unit);
@@ -161,39 +154,30 @@ Hazard sampled_contact() {
 
 Hazard encoder_steps() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"time_encoder", {}});
   constexpr double mu = 0.5;
   constexpr double stiffness = 1000.0;
   constexpr double damping = 5.0;
   constexpr double resolution = 1e-5;
-  const auto largest_share = [&](double rate) {
-    const double sample_time = 1.0 / rate;
-    SoftFinger contact = finger(stiffness, damping, mu);
-    contact.update(pressed(0.0, 1e-3), 0.0);
-    double proxy = 0.0;
-    double last = 0.0;
-    std::pair<double, double> share{0.0, 0.0};
-    for (int i = 0; i < static_cast<int>(rate); ++i) {
-      const double x = in_steps(5e-3 * i * sample_time, resolution);
-      // The usual method: the spring within the friction limit, plus the damper.
-      double spring = stiffness * (proxy - x);
-      if (std::fabs(spring) > mu) {
-        spring = std::copysign(mu, spring);
-        proxy = x + spring / stiffness;
-      }
-      share.first = std::max(share.first, std::fabs(spring - damping * (x - last) / sample_time) / mu);
-      last = x;
-      const FingerOutput output = contact.update(pressed(x, 1e-3), 0.0, sample_time);
-      share.second = std::max(share.second, output.force.norm() / (mu * output.load));
+  constexpr double sample_time = 1e-4;
+  SoftFinger dragged = finger(stiffness, damping, mu);
+  dragged.update(pressed(0.0, 1e-3), 0.0);
+  double customary_proxy = 0.0;
+  double last = 0.0;
+  double customary = 0.0;
+  double ours = 0.0;
+  for (int i = 0; i < 10'000; ++i) {
+    const double x = resolution * std::round(5e-3 * i * sample_time / resolution);
+    // The usual method: the spring within the friction limit, plus the damper.
+    double spring = stiffness * (customary_proxy - x);
+    if (std::fabs(spring) > mu) {
+      spring = std::copysign(mu, spring);
+      customary_proxy = x + spring / stiffness;
     }
-    return share;
-  };
-  for (const double rate : in_ratios(100.0, 1e4, 25)) {
-    const auto [customary, ours] = largest_share(std::round(rate));
-    figure.rows.push_back({"force", "damper beside the limit", rate, customary});
-    figure.rows.push_back({"force", "limitcurve", rate, ours});
+    customary = std::max(customary, std::fabs(spring - damping * (x - last) / sample_time) / mu);
+    last = x;
+    const FingerOutput output = dragged.update(pressed(x, 1e-3), 0.0, sample_time);
+    ours = std::max(ours, output.force.norm() / (mu * output.load));
   }
-  const auto [customary, ours] = largest_share(1e4);
   found.findings.push_back({"encoder steps of 10 µm, velocities from differences", "damper beside the friction limit",
                             "largest friction force / limit (5 N s/m, 5 mm/s, 10 kHz)", customary, ours});
   // A finger rests at half the limit while the encoder jitters by a step: methods that sum increments creep.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Entry "projection": the steady wrench of a finger that keeps sliding and twisting about one centre of rotation.
-#include "projection.hpp"
+#include "../failures.hpp"
 
 #include "../numerics/sampling.hpp"
 #include "godobject/soft_finger.hpp"
@@ -19,6 +19,11 @@ namespace limitcurve::stability {
 namespace {
 
 using namespace godobject;
+
+/// Distance of two unit wrenches in the normalised plane.
+double normalised_distance(UnitWrench one, UnitWrench other, double moment_ratio) {
+  return std::hypot(one.force - other.force, (one.moment - other.moment) / moment_ratio);
+}
 
 constexpr double stiffness = 1000.0;
 constexpr double radius = 0.005;

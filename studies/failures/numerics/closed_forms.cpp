@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Entry "quadrature": the closed forms of the textbooks in double arithmetic, as printed, where they cancel.
-#include "quadrature.hpp"
+#include "../failures.hpp"
 
 #include "limitcurve/laws.hpp"
 #include "sampling.hpp"

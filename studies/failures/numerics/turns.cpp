@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Entry "geometry": angles.
-#include "turns.hpp"
+#include "../failures.hpp"
 
 #include "godobject/godobject.hpp"
 #include "limitcurve/approximations.hpp"
@@ -105,38 +105,25 @@ Hazard half_a_turn() {
 
 Hazard ten_thousand_turns() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"turns_many", {}});
   constexpr long turns = 10000;
   constexpr long steps_a_turn = 100;
   auto finger = Twisting{0.02}.finger();
   finger.update(Twisting::contact(), 0.0);
-  float single = 0.0F;
   double summed = 0.0;
   double last = 0.0;
-  double drawn = 1.0;
   double ours = 0.0;
   const auto error = [](double value, long double angle) { return std::max(static_cast<double>(std::fabs(value - angle)), 1e-16); };
   for (long i = 1; i <= turns * steps_a_turn; ++i) {
     const long double angle = turn * static_cast<long double>(i) / steps_a_turn;
     const double device = told(angle);
-    const double step = wrapped(device - last);
-    single += static_cast<float>(step);
-    summed += step;
+    summed += wrapped(device - last);
     last = device;
     finger.update(Twisting::contact(), device);
-    const double here = error(finger.state().sample.angle, angle);
-    ours = std::max(ours, here);
-    const double count = static_cast<double>(i) / steps_a_turn;
-    if (count < drawn) continue;
-    drawn *= 1.2;
-    figure.rows.push_back({"angle", "steps summed in float", count, error(static_cast<double>(single), angle)});
-    figure.rows.push_back({"angle", "steps summed in double", count, error(summed, angle)});
-    figure.rows.push_back({"angle", "limitcurve", count, here});
+    ours = std::max(ours, error(finger.state().sample.angle, angle));
   }
   const long double end = turn * turns;
-  const std::string quantity = "error of the angle [rad] (100 steps a turn)";
-  found.findings.push_back({"10⁴ turns", "steps summed in float", quantity, error(static_cast<double>(single), end), ours});
-  found.findings.push_back({"10⁴ turns", "steps summed in double", quantity, error(summed, end), ours});
+  found.findings.push_back(
+      {"10⁴ turns", "steps summed in double", "error of the angle [rad] (100 steps a turn)", error(summed, end), ours});
   return found;
 }
 
