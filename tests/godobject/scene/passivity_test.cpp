@@ -53,31 +53,6 @@ class SampledWall {
 
 const FingerParameters choices[] = {gains(1000.0, 0.0, 0.04, 0.0), gains(1000.0, 0.4, 0.04, 1e-5), gains(50.0, 2.0, 0.001, 1e-4)};
 
-// No motion of the user (pressing, sliding, twisting, lifting off) extracts energy.
-TEST(Passivity, EnoughDampingNeverGivesEnergy) {
-  Random random(31);
-  for (const FingerParameters& with : choices) {
-    for (int round = 0; round < 300; ++round) {
-      SampledWall wall(with, device_damping_needed(with, sample_time));
-      const double step = random.logarithmic(1e-6, 1e-2);
-      double x = 0.0;
-      double depth = 0.0;
-      double twist = 0.0;
-      double scale = 0.0;
-      for (int i = 0; i < 300; ++i) {
-        // To and fro, or on.
-        const double back = round % 2 == 0 ? -1.0 : 0.3;
-        x = back * x + random.uniform(-step, step);
-        depth = round % 3 == 0 ? 0.002 : back * depth + random.uniform(-step, step);
-        twist = back * twist + random.uniform(-step, step) / 0.005;
-        wall.move(x, depth, twist);
-        scale = std::max(scale, wall.energy());
-        ASSERT_GE(wall.energy(), -1e-12 * scale) << round << ' ' << i;
-      }
-    }
-  }
-}
-
 // A thousandth less, and a user who goes to and fro with every sample gets energy from each channel without end.
 TEST(Passivity, AThousandthLessGivesEnergyWithoutEnd) {
   for (const FingerParameters& with : choices) {
