@@ -106,7 +106,7 @@ class Points(CommandLineTest):
         square, pad = ("--patch", "rectangle:x=0.1,y=0.1"), ("--patch", "rectangle:x=0.082,y=0.0625")
         d = math.hypot(0.082, 0.0625)
         closed = (d + 0.082**2 / 0.125 * math.asinh(0.0625 / 0.082) + 0.0625**2 / 0.164 * math.asinh(0.082 / 0.0625)) / 6
-        spin = {"closed form": (pad, closed), "quadrature of two points an axis": (pad, d / 2 / math.sqrt(3)), "disc around it": (square, 0.1 * math.sqrt(2) / 3),
+        spin = {"closed form": (pad, closed), "quadrature with two points per axis": (pad, d / 2 / math.sqrt(3)), "disc around it": (square, 0.1 * math.sqrt(2) / 3),
                 "√(ab) as radius": (("--patch", "ellipse:law=parabolic,a=0.05,b=0.01"), 0.08 / 15 * math.sqrt(5))}
         errors = {method: self.judged(contact, "fx,fy,moment", [(0.0, 0.0, moment)])["max_error"] for method, (contact, moment) in spin.items()}
         chance = random.Random(1)
