@@ -150,13 +150,22 @@ class Claims(CommandLineTest):
                 self.assertEqual([round(first_cost(grid)[-1], 2) for grid in (exact, ellipse, box, diamond)], [1.43, 0.98, 0, 4.1])
                 self.assertAlmostEqual(mu * moments[1] / mu_r, 1.72, delta=0.005)  # from this force on the box sees no moment
 
+    def lost(self, case, *options):
+        """The angle [deg] when the block has slid 5 mm past the grip, without dampers."""
+        found = self.pivot(case, "--damping", "0", *options)[3]
+        before, row = next(pair for pair in zip(found, found[1:]) if pair[1]["grip_slip"] >= 0.005)
+        part = (0.005 - before["grip_slip"]) / (row["grip_slip"] - before["grip_slip"])
+        return math.degrees(before["angle"] + part * (row["angle"] - before["angle"]))
+
     def test_the_ellipse_is_good_enough_for_the_experiment(self):
-        release = ["--release", "from=0.5,to=0.25,over=10", "--damping", "0"]
-        for case, lost in (("coupled", 33.07), ("exact", 35.5)):
-            found = self.pivot(case, *release)[3]
-            before, row = next(pair for pair in zip(found, found[1:]) if pair[1]["grip_slip"] >= 0.005)
-            part = (0.005 - before["grip_slip"]) / (row["grip_slip"] - before["grip_slip"])
-            self.assertAlmostEqual(math.degrees(before["angle"] + part * (row["angle"] - before["angle"])), lost, delta=0.02)
+        for case, angle in (("coupled", 33.07), ("exact", 35.5)):
+            self.assertAlmostEqual(self.lost(case, "--release", "from=0.5,to=0.25,over=10"), angle, delta=0.02)
+
+    def test_the_rate_of_release_decides_a_too(self):
+        for offset, over, angles in ((3, 2.5, (10, 15, 0)), (5, 10, (32, 35, 0)), (5, 0.5, (8, 11, 1)), (7, 2.5, (37, 38, 17))):
+            found = (abs(self.lost(case, "--offset", f"{1e-3 * offset}", "--release", f"from=0.5,to=0,over={over}"))
+                     for case in ("coupled", "exact", "uncoupled"))
+            self.assertEqual(tuple(map(round, found)), angles)
 
 
 if __name__ == "__main__":
