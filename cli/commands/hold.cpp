@@ -119,7 +119,7 @@ class Hold final : public Subcommand {
     write(
         results,
         [&](const Need& need) {
-          if (may_be_slow && ++rows == rows_of_a_table) table = make_finger_curve(kind, law_, 0.0);
+          if (may_be_slow && ++rows == rows_of_a_table) table = godobject::finest_table(law_, 1e-11);
           return table ? load_to_hold(*table, contact, need.fx, need.moment) : load_to_hold(curve, contact, need.fx, need.moment);
         },
         [&](const Need& need, double load) {
