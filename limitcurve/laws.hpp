@@ -24,6 +24,10 @@ Law parabolic();
 Law flat_punch();
 /// arccosh(1/ρ): rigid cone on an elastic half-space (Love 1939). Closed.
 Law cone();
+/// 1/(2ρ): a clutch, brake or pad worn in by rotation, so that pressure times speed is the same everywhere. Ring. The pressure is infinite
+/// at the centre: as s → 0, f → (s/2)(ln(4/s) + ½), whose slope grows without bound (at 0 it is that
+/// of the smallest s).
+Law uniform_wear();
 /// (n+1)(1−ρ²)ⁿ, n ∈ (−1, 1000]. Closed: ₂F₁ by its Euler integral, whose integrand is positive for all n. n → −1: all pressure on the rim.
 Law power(double n);
 /// C_k(1−ρᵏ)^{1/k}, k ∈ [0.01, 10⁶] (Xydas and Kao 1999). Ring.
@@ -59,8 +63,8 @@ struct PressureSample {
 /// without pressure. `source` names the data in `name()`.
 Law samples(std::span<const PressureSample> rows, std::string_view source, double rim = 0.0);
 
-/// The law with the name `text`: `hertz uniform parabolic flat-punch cone power:n=2.3 xydas-kao:k=3 gaussian:sigma=0.4
-/// mix:0.7*hertz+0.3*uniform`. Throws `std::invalid_argument`, which quotes the text and says what was expected.
+/// The law with the name `text`: `hertz uniform parabolic flat-punch cone uniform-wear power:n=2.3 xydas-kao:k=3
+/// gaussian:sigma=0.4 mix:0.7*hertz+0.3*uniform`. Throws `std::invalid_argument`, which quotes the text and says what was expected.
 Law parse_law(std::string_view text);
 
 /// One law string for each kind, with an example parameter: the strings above.

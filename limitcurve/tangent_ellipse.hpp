@@ -15,7 +15,8 @@ struct TangentEllipse {
 
 /// The ellipse that touches the curve where the contact slips: it has the curve's wrench there, and its normal. Signs do not count; no
 /// slip gives the ellipse through the intercepts, (1, m₀), NaN gives NaN. A table's checked error is that of f and m, not the slope that p (q) has near
-/// pure spin (pure sliding): there the relative error of a table of 1e-8 is 2e-6, for a sharp peak (xydas-kao:k=0.05) 3e-4.
+/// pure spin (pure sliding): there the relative error of a table of 1e-8 is 2e-6, for a sharp peak (xydas-kao:k=0.05) 3e-4, and for
+/// uniform-wear, whose pressure is infinite at the centre, 1e-8/f.
 [[nodiscard]] TangentEllipse tangent_ellipse(const Table& curve, SlipTwist slip) noexcept;
 
 /// The same where the slip is known only as an engine's unit wrench, found with the ellipse (p, q), p, q > 0. Set after each step, the

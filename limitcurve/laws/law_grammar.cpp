@@ -35,6 +35,7 @@ constexpr std::array kinds = std::to_array<Kind>({
     {"parabolic", [](double) { return parabolic(); }},
     {"flat-punch", [](double) { return flat_punch(); }},
     {"cone", [](double) { return cone(); }},
+    {"uniform-wear", [](double) { return uniform_wear(); }},
     {"power:n=2.3", power},
     {"xydas-kao:k=3", xydas_kao},
     {"gaussian:sigma=0.4", gaussian},

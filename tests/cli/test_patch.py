@@ -56,7 +56,7 @@ class Patch(PatchCase):
         """The commands of docs/not_robots.md give its answers."""
         page = (DATA.parent / "docs" / "not_robots.md").read_text(encoding="utf-8")
         lines = [re.split(r" (?<!\\)\| ", line.strip("| "))[1:] for line in page.splitlines() if "limitcurve" in line and line.startswith("|")]
-        self.assertEqual(len(lines), 5)
+        self.assertEqual(len(lines), 6)
         for command, column, answer in lines:
             path = os.path.dirname(EXECUTABLE) + os.pathsep + os.environ["PATH"]
             done = subprocess.run(["sh", "-c", command.strip("`").replace("\\|", "|")], cwd=self.folder, env={**os.environ, "PATH": path}, capture_output=True, text=True, check=True)

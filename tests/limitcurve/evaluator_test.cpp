@@ -8,6 +8,7 @@
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <array>
@@ -53,6 +54,20 @@ TEST_P(Reference, EvaluateIsRightInRelativeTerms) {
     EXPECT_LE(relative_error(estimate.wrench.moment, row.moment), bound) << "s = " << row.s;
     EXPECT_LE(relative_error(estimate.force_slope, row.force_slope), 1e-13L) << "s = " << row.s;
   });
+}
+
+// The support function at s = 1 is ∫₀¹ (2/π)(1+ρ)E(2√ρ/(1+ρ)) dρ = (2/π) ∫₀¹ 2E(ρ) − (1−ρ²)K(ρ) dρ (DLMF 19.8.12), whose integrals are
+// Catalan's constant G (∫K = 2G, ∫E = G + ½, ∫ρ²K = (2G + 1)/4); s → 0 and s → ∞ are the first terms of series.
+TEST(UniformWear, HasItsClosedForms) {
+  using boost::math::double_constants::catalan;
+  using boost::math::double_constants::pi;
+  const Law law = uniform_wear();
+  const auto near = [](double value, double exact) { EXPECT_NEAR(value / exact, 1.0, 1e-14); };
+  near(law->moment_ratio(), 0.5);
+  near(law->evaluate(1.0).wrench.force, (1 + 2 * catalan) / pi);
+  near(law->evaluate(1.0).wrench.moment, (3 - 2 * catalan) / (2 * pi));
+  for (const double s : {1e-9, 0.9e-20, 1.1e-20, 1e-300}) near(law->evaluate(s).wrench.force, s / 2 * (std::log(4 / s) + 0.5));
+  for (const double s : {1e9, 1e100}) near(law->evaluate(s).wrench.moment, 1 / (6 * s));
 }
 
 // Far from the contact the force is the whole load.

@@ -101,6 +101,7 @@ TEST_P(LawSuite, PureTwistNeedsTheMeanRadius) {
 /// s → 0: f ≈ (V₀/2)s with V₀ = 2π(a/P)∫ p dr, that is V₀/2 = ∫ g dρ.
 TEST_P(LawSuite, ForceStartsAsThePressureOnADiameter) {
   if (!has_witness()) GTEST_SKIP() << "the witness has too few digits where long double is double";
+  if (law_->name() == "uniform-wear") GTEST_SKIP() << "infinite at the centre: UniformWear.HasItsClosedForms";
   const auto slope = static_cast<double>(integrate_pressure([](long double) { return 1.0L; }));
   EXPECT_NEAR(law_->evaluate(0.0).force_slope / slope, 1.0, 1e-14 + lost);
   EXPECT_NEAR(law_->evaluate(1e-200).wrench.force / (1e-200 * slope), 1.0, 1e-14 + lost);
