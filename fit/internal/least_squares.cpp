@@ -122,14 +122,9 @@ std::string reason_of(const ceres::Solver::Summary& summary) {
   return summary.message.substr(0, summary.message.find(". "));
 }
 
-}  // namespace
-
-Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss, double tolerance) {
-  Solution solution;
+/// One run of Ceres from `solution.values`, within the bounds.
+void descend(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss, double tolerance, Solution& solution) {
   const std::size_t free = parameters.size();
-  for (const Parameter& parameter : parameters) {
-    solution.values.push_back(std::clamp(parameter.start, parameter.low, parameter.high));
-  }
   double* const block = solution.values.data();
   const std::unique_ptr<ceres::LossFunction> loss_function = make_loss(loss);
   Interruption interruption;
@@ -151,11 +146,11 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
   ceres::Solver::Summary summary;
   ceres::Solve(quiet_options(tolerance), &problem, &summary);
   interruption.rethrow();
-  if (summary.termination_type == ceres::FAILURE && summary.num_successful_steps <= 0) {
+  if (summary.termination_type == ceres::FAILURE && summary.num_successful_steps <= 0 && solution.iterations == 0) {
     throw std::invalid_argument("the fit cannot start: " + reason_of(summary));
   }
   solution.converged = summary.termination_type == ceres::CONVERGENCE;
-  solution.iterations = static_cast<int>(summary.iterations.size());
+  solution.iterations += static_cast<int>(summary.iterations.size());
   solution.message = reason_of(summary);
   solution.cost = summary.final_cost;
   solution.residuals.resize(model.count());
@@ -164,6 +159,60 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
     let_interrupt();
     if (!model.evaluate(i, solution.values, solution.residuals[i], solution.jacobian.data() + i * free)) solution.converged = false;
   }
+}
+
+/// How the cost depends on one parameter: dcost/dx, and what a Gauss–Newton step in it alone would gain.
+struct Descent {
+  double slope = 0.0;
+  double gain = 0.0;
+};
+Descent descent_of(const Solution& solution, std::size_t parameter, const Loss& loss) {
+  const std::size_t free = solution.values.size();
+  Descent descent;
+  double curvature = 0.0;
+  for (std::size_t i = 0; i < solution.residuals.size(); ++i) {
+    const double residual = solution.residuals[i];
+    const double gradient = solution.jacobian[i * free + parameter];
+    const double pull = influence(loss, residual).value;
+    descent.slope += pull * gradient;
+    curvature += (residual == 0.0 ? 1.0 : pull / residual) * gradient * gradient;
+  }
+  if (curvature > 0.0) descent.gain = descent.slope * descent.slope / (2 * curvature);
+  return descent;
+}
+
+}  // namespace
+
+Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss, double tolerance) {
+  Solution solution;
+  for (const Parameter& parameter : parameters) {
+    solution.values.push_back(std::clamp(parameter.start, parameter.low, parameter.high));
+  }
+  descend(model, parameters, loss, tolerance, solution);
+  // On a bound Ceres (2.1) may stop early: it cuts its step there, and takes the small change of the cost for convergence. Where parameters
+  // that can still move would gain, those that the cost presses against their bounds are held, and the others are solved for again.
+  for (std::size_t round = 0; round <= parameters.size(); ++round) {
+    std::vector<Parameter> held(parameters.begin(), parameters.end());
+    bool is_on_bound = false;
+    double gain = 0.0;
+    for (std::size_t j = 0; j < parameters.size(); ++j) {
+      Parameter& parameter = held[j];
+      if (parameter.is_held()) continue;
+      const double value = solution.values[j];
+      const Descent descent = descent_of(solution, j, loss);
+      if ((value <= parameter.low && descent.slope > 0.0) || (value >= parameter.high && descent.slope < 0.0)) {
+        parameter.low = parameter.high = value;
+        is_on_bound = true;
+      } else {
+        gain = std::fmax(gain, descent.gain);
+      }
+    }
+    const bool is_least = !is_on_bound || !(gain > 1e3 * tolerance * solution.cost);
+    if (is_least) return solution;
+    if (round == parameters.size()) break;
+    descend(model, held, loss, tolerance, solution);
+  }
+  solution.converged = false;
   return solution;
 }
 

@@ -46,7 +46,8 @@ struct Solution {
 inline constexpr double fine_tolerance = 1e-14;
 inline constexpr double coarse_tolerance = 1e-7;
 
-/// Minimises ½ Σ loss(residual²) within the bounds. Throws std::invalid_argument if the model is undefined at the start.
+/// Minimises ½ Σ loss(residual²) within the bounds. A solution on a bound has converged only if no parameter that can move would still lower
+/// the cost. Throws std::invalid_argument if the model is undefined at the start.
 Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss = {},
                   double tolerance = fine_tolerance);
 
