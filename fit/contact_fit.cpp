@@ -139,17 +139,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   residuals.expect_drift(solution.values, noise);
   for (std::size_t j = 0; j < free; ++j) parameters[j].start = solution.values[j];
   const int iterations = solution.iterations;
-  // The minimiser is slow along a bound: fix a shape that lies on one, unless the samples then move it inside.
-  bool held = layout.shape && !robust && is_at_bound(*curve, solution.values[2]);
-  if (held) {
-    std::vector<Parameter> fewer = parameters;
-    fewer[2].low = fewer[2].high = fewer[2].start;
-    solution = internal::minimise(residuals, fewer, loss);
-    double pull = 0.0;
-    for (std::size_t i = 0; i < count; ++i) pull += solution.residuals[i] * solution.jacobian[i * free + 2];
-    held = (pull > 0.0) == (solution.values[2] - curve->low() < curve->high() - solution.values[2]);
-  }
-  if (!held) solution = internal::minimise(residuals, parameters, loss);
+  solution = internal::minimise(residuals, parameters, loss);
   solution.iterations += iterations;
   const double variance = preparation.with_sigma ? 1.0 : internal::residual_variance(solution);
   refuse_one_centre(residuals.common_ray(solution.values), solution, noise, preparation.with_sigma, robust);

@@ -207,7 +207,8 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
         gain = std::fmax(gain, descent.gain);
       }
     }
-    const bool is_least = !is_on_bound || !(gain > 1e3 * tolerance * solution.cost);
+    // A first pass (a coarse tolerance) is not asked for more than it promises.
+    const bool is_least = !is_on_bound || tolerance >= coarse_tolerance || !(gain > 1e3 * tolerance * solution.cost);
     if (is_least) return solution;
     if (round == parameters.size()) break;
     descend(model, held, loss, tolerance, solution);
