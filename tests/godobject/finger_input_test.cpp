@@ -8,8 +8,6 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace limitcurve::godobject::test {
 namespace {
@@ -87,35 +85,6 @@ TEST(SoftFinger, SlipWorkIsFiniteWhereTheDeflectionVanishes) {
     EXPECT_TRUE(std::isfinite(output.slip_work) && output.slip_work >= 0.0) << exponent << ": " << output.slip_work;
     EXPECT_TRUE(output.force.allFinite()) << exponent;
   }
-}
-
-TEST(SoftFinger, HoldsTheLastGoodOutputOnBadInput) {
-  FingerParameters with = parameters();
-  with.fault_decay = 1.0;
-  auto finger = hertz_finger(with);
-  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
-  finger.update(on_plane(0.0005, 0.0, 0.002), 0.01);
-  const FingerOutput good = finger.output();
-  std::vector<std::pair<Contact, double>> bad;
-  for (const double value : {nan, infinity, -infinity, 1e300}) {
-    bad.emplace_back(on_plane(value, 0.0, 0.002), 0.0);
-    bad.emplace_back(on_plane(0.0, value, 0.002), 0.0);
-    bad.emplace_back(on_plane(0.0, 0.0, value), 0.0);
-    bad.emplace_back(on_plane(0.0, 0.0, 0.002), value);
-    bad.emplace_back(Contact{Eigen::Vector3d::Zero(), {0.0, 0.0, value}, 0.002}, 0.0);
-  }
-  for (const auto& [contact, twist] : bad) {
-    const FingerOutput output = finger.update(contact, twist);
-    EXPECT_EQ(output.state, ContactState::invalid);
-    EXPECT_EQ(output.force, good.force);
-    EXPECT_EQ(output.moment, good.moment);
-    EXPECT_EQ(output.proxy, good.proxy);
-    EXPECT_EQ(output.load, good.load);
-  }
-  // And goes on as if nothing had happened.
-  const FingerOutput output = finger.update(on_plane(0.0005, 0.0, 0.002), 0.01);
-  EXPECT_EQ(output.state, ContactState::stick);
-  EXPECT_EQ(output.force, good.force);
 }
 
 // Each kind of bad input is named, the next good sample has none; a pose is refused for its own reason, not for that of the contact.

@@ -41,17 +41,7 @@ TEST(Choose, TakesTheCheapestThatIsGoodEnough) {
   }
 }
 
-TEST(Choose, FollowsTheTolerance) {
-  for (const Law& law : {hertz(), uniform()}) {
-    for (const double tolerance : {0.6, 0.07, 0.01, 1e-6, 1e-10}) {
-      const auto candidates = choose(law, tolerance);
-      const Candidate best = chosen(candidates);
-      EXPECT_LE(best.error, tolerance);
-      for (const Candidate& other : candidates) {
-        EXPECT_TRUE(other.error > tolerance || best.nanoseconds <= (1.0 + cost_tie) * other.nanoseconds) << other.model << tolerance;
-      }
-    }
-  }
+TEST(Choose, NamesWhatItTakes) {
   // Diamond and box cost the same but for what a measurement scatters.
   const std::string cheapest = chosen(choose(hertz(), 0.6)).model;
   EXPECT_TRUE(cheapest == "diamond" || cheapest == "box") << cheapest;

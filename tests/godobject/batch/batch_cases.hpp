@@ -30,10 +30,19 @@ std::vector<Case<Real>> cases() {
   soft.mu_dynamic = 0.5;
   FingerParameters without_torsion = parameters();
   without_torsion.mu_r = 0.0;
+  FingerParameters with_coefficients = parameters();
+  with_coefficients.mu_r = 0.002;
+  with_coefficients.mu_r_dynamic = 0.001;
+  FingerParameters growing = with_coefficients;
+  growing.gamma = 0.259;
   std::vector<Case<Real>> result{{"box", box(1.0, m0), parameters()},
                                  {"table, stiff twist", table, parameters(0.6, 0.005, 1000.0, 0.4)},
                                  {"table, soft twist", table, parameters(0.6, 0.005, 1000.0, 0.001)},
-                                 {"table, no torsion", table, without_torsion}};
+                                 {"table, no torsion", table, without_torsion},
+                                 {"table, two moment coefficients", table, with_coefficients},
+                                 {"box, two moment coefficients", box(1.0, m0), with_coefficients},
+                                 {"table, moment coefficients that grow with the load", table, growing},
+                                 {"ellipse, moment coefficients that grow with the load", ellipse, growing, Projection::radial}};
   // A table with several cells in a bucket.
   const std::array<PressureSample, 6> jumps{{{0.0, 1.0}, {0.37, 1.0}, {0.37, 0.4}, {0.71, 0.4}, {0.71, 0.9}, {1.0, 0.3}}};
   const auto searched = BasicTable<Real>::build(samples(jumps, "jumps"), sizeof(Real) == sizeof(float) ? 1e-6 : 1e-10);

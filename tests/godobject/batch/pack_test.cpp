@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What packs step is what single numbers step, bit for bit; and a batch is what fingers are.
-#include "godobject/batch/batch.hpp"
+// What packs step is what single numbers step, bit for bit.
 #include "godobject/batch/step.hpp"
-#include "godobject/soft_finger.hpp"
-#include "limitcurve/approximations.hpp"
-#include "limitcurve/laws.hpp"
-#include "limitcurve/table.hpp"
-
+#include "tests/godobject/batch/batch_cases.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
@@ -88,49 +83,6 @@ class Motion {
   std::mt19937_64 engine_{5};
 };
 
-struct Finger {
-  std::string name;
-  FingerParameters parameters;
-};
-
-std::vector<Finger> fingers() {
-  FingerParameters plain;
-  plain.mu = 0.6;
-  std::vector<Finger> result{{"plain", plain}};
-  result.push_back({"mu_d < mu_s", plain});
-  result.back().parameters.mu_dynamic = 0.4;
-  result.push_back({"a(P)", plain});
-  result.back().parameters.radius_law = RadiusLaw::power(0.00207, 0.259);
-  result.back().parameters.mu_dynamic = 0.5;
-  result.push_back({"two moment coefficients", plain});
-  result.back().parameters.mu_r = 0.002;
-  result.back().parameters.mu_r_dynamic = 0.001;
-  result.push_back({"moment coefficients that grow with the load", result.back().parameters});
-  result.back().parameters.gamma = 0.259;
-  result.push_back({"no moment", plain});
-  result.back().parameters.mu_r = 0.0;
-  result.push_back({"no friction", plain});
-  result.back().parameters.mu = 0.0;
-  return result;
-}
-
-template <class Real>
-struct Curve {
-  std::string name;
-  BasicFingerCurve<Real> curve;
-  std::vector<Projection> projections;
-};
-
-template <class Real>
-std::vector<Curve<Real>> curves() {
-  constexpr bool is_double = std::is_same_v<Real, double>;
-  const std::vector<Projection> all{Projection::radial, Projection::c_curve, Projection::closest_point};
-  return {{"ellipse", Ellipse::through_intercepts(hertz()->moment_ratio()), all},
-          {"box", limitcurve::box(1.0, hertz()->moment_ratio()), {Projection::closest_point}},
-          {"hertz", BasicTable<Real>::build(hertz(), is_double ? 1e-8 : 1e-6), all},
-          {"flat punch", BasicTable<Real>::build(flat_punch(), 1e-4), all}};
-}
-
 #if defined(LIMITCURVE_PACKS) && (defined(__x86_64__) || defined(__aarch64__))
 TEST(PacksOfTheProcessor, AreUsed) {
   EXPECT_TRUE(kernel::is_supported(InstructionSet::baseline));
@@ -146,49 +98,45 @@ TYPED_TEST_SUITE(Packs, Reals);
 TYPED_TEST(Packs, GiveTheBitsOfSingleNumbers) {
   using Real = TypeParam;
   constexpr std::size_t count = 203;  // no multiple of any pack
-  for (const Curve<Real>& curve : curves<Real>()) {
-    for (const Projection projection : curve.projections) {
-      for (const Finger& finger : fingers()) {
-        const ContactLimits limits(finger.parameters, curve.curve.moment_max());
-        const kernel::Shared<Real> shared{curve.curve.view(), projection, limits, static_cast<Real>(finger.parameters.stiffness),
-                                          static_cast<Real>(finger.parameters.twist_stiffness)};
-        Motion motion;
-        std::vector<BasicContactArrays<Real>> arrays(all_sets.size(), BasicContactArrays<Real>(count));
-        std::size_t slips = 0;
-        std::size_t sticks = 0;
-        for (int step = 0; step < repetitions(60, 6); ++step) {
-          motion.next(arrays[0]);
-          for (std::size_t k = 0; k < all_sets.size(); ++k) {
-            if (!kernel::is_supported(all_sets[k])) continue;
-            BasicContactBatch<Real> batch = arrays[k].batch();
-            batch.x = arrays[0].x();
-            batch.y = arrays[0].y();
-            batch.twist = arrays[0].twist();
-            batch.depth = arrays[0].depth();
-            kernel::step_with(all_sets[k], shared, batch);
-            const std::string where = curve.name + ", projection " + std::to_string(static_cast<int>(projection)) + ", " + finger.name +
-                                      ", " + name_of(all_sets[k]);
-            ASSERT_NO_FATAL_FAILURE(expect_same_bits(arrays[0].batch(), batch, where));
-          }
-          for (const ContactState state : arrays[0].batch().state) {
-            slips += state == ContactState::slip;
-            sticks += state == ContactState::stick;
-          }
-          for (const auto array : outputs(arrays[0].batch())) {
-            for (const Real value : array) ASSERT_TRUE(std::isfinite(value)) << curve.name << ", " << finger.name;
-          }
-        }
-        EXPECT_GT(slips, 0u);
-        EXPECT_GT(sticks, 0u);
+  std::vector<Case<Real>> all = cases<Real>();
+  all.push_back({"no friction", all.back().curve, parameters(0.0)});
+  for (const Case<Real>& with : all) {
+    const ContactLimits limits(with.with, with.curve.moment_max());
+    const kernel::Shared<Real> shared{with.curve.view(), with.projection, limits, static_cast<Real>(with.with.stiffness),
+                                      static_cast<Real>(with.with.twist_stiffness)};
+    Motion motion;
+    std::vector<BasicContactArrays<Real>> arrays(all_sets.size(), BasicContactArrays<Real>(count));
+    std::size_t slips = 0;
+    std::size_t sticks = 0;
+    for (int step = 0; step < repetitions(60, 6); ++step) {
+      motion.next(arrays[0]);
+      for (std::size_t k = 0; k < all_sets.size(); ++k) {
+        if (!kernel::is_supported(all_sets[k])) continue;
+        BasicContactBatch<Real> batch = arrays[k].batch();
+        batch.x = arrays[0].x();
+        batch.y = arrays[0].y();
+        batch.twist = arrays[0].twist();
+        batch.depth = arrays[0].depth();
+        kernel::step_with(all_sets[k], shared, batch);
+        ASSERT_NO_FATAL_FAILURE(expect_same_bits(arrays[0].batch(), batch, with.name + ", " + name_of(all_sets[k])));
+      }
+      for (const ContactState state : arrays[0].batch().state) {
+        slips += state == ContactState::slip;
+        sticks += state == ContactState::stick;
+      }
+      for (const auto array : outputs(arrays[0].batch())) {
+        for (const Real value : array) ASSERT_TRUE(std::isfinite(value)) << with.name;
       }
     }
+    EXPECT_GT(slips, 0u) << with.name;
+    EXPECT_GT(sticks, 0u) << with.name;
   }
 }
 
 TYPED_TEST(Packs, StepPartsOnTwoThreadsAsTheWhole) {
   using Real = TypeParam;
   constexpr std::size_t count = 1001;
-  const BasicBatch<Real> batch(curves<Real>()[2].curve, {.mu = 0.6});
+  const BasicBatch<Real> batch(BasicTable<Real>::build(hertz(), 1e-6), {.mu = 0.6});
   BasicContactArrays<Real> whole(count);
   BasicContactArrays<Real> parts(count);
   Motion motion;
@@ -202,45 +150,6 @@ TYPED_TEST(Packs, StepPartsOnTwoThreadsAsTheWhole) {
     step_part(347, count - 347);
     other.join();
     ASSERT_NO_FATAL_FAILURE(expect_same_bits(whole.batch(), parts.batch(), "step " + std::to_string(step)));
-  }
-}
-
-// A finger on the plane z = 0 beside every contact.
-TEST(Packs, AreFingersOnAPlane) {
-  constexpr std::size_t count = 64;
-  for (const Curve<double>& curve : curves<double>()) {
-    for (const Projection projection : curve.projections) {
-      for (const Finger& parameters : fingers()) {
-        const Batch batch(curve.curve, parameters.parameters, projection);
-        std::vector<SoftFinger> beside(count, SoftFinger(curve.curve, parameters.parameters, projection));
-        ContactArrays arrays(count);
-        std::mt19937_64 engine{11};
-        const auto between = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
-        for (int step = 0; step < repetitions(50, 5); ++step) {
-          for (std::size_t i = 0; i < count; ++i) {
-            const double stride = std::pow(10.0, between(-6.0, -2.5));
-            arrays.x()[i] += between(-stride, stride);
-            arrays.y()[i] += between(-stride, stride);
-            arrays.twist()[i] += 200.0 * between(-stride, stride);
-            arrays.depth()[i] = between(-0.0003, 0.003);
-          }
-          const ContactBatch contacts = arrays.batch();
-          batch.step(contacts);
-          for (std::size_t i = 0; i < count; ++i) {
-            const FingerOutput output =
-                beside[i].update({{contacts.x[i], contacts.y[i], 0.0}, Eigen::Vector3d::UnitZ(), contacts.depth[i]}, contacts.twist[i]);
-            const std::string where =
-                curve.name + ", " + parameters.name + ", step " + std::to_string(step) + ", contact " + std::to_string(i);
-            ASSERT_NEAR(contacts.fx[i], output.force.x(), 1e-12) << where;
-            ASSERT_NEAR(contacts.fy[i], output.force.y(), 1e-12) << where;
-            ASSERT_NEAR(contacts.moment[i], output.moment, 1e-12) << where;
-            ASSERT_NEAR(contacts.proxy_x[i], output.proxy.x(), 1e-12) << where;
-            ASSERT_NEAR(contacts.proxy_angle[i], output.angle, 1e-12) << where;
-            ASSERT_EQ(contacts.state[i], output.state) << where;
-          }
-        }
-      }
-    }
   }
 }
 

@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 namespace limitcurve::godobject::test::replay_test {
 namespace {
 
@@ -150,36 +148,6 @@ TEST(Replay, TakesAFreeBodyAlong) {
   EXPECT_NEAR(replay.body().velocity.y(), 0.02, 2e-4);
   EXPECT_NEAR(replay.body().angular_velocity.z(), 0.2, 2e-3);
   EXPECT_EQ(replay.body().velocity.z(), 0.0);
-}
-
-TEST(Replay, HoldsOnSamplesThatAreNotUsable) {
-  for (const BodyMotion motion : {BodyMotion::fixed, BodyMotion::prescribed, BodyMotion::free}) {
-    ReplayOptions with = options();
-    with.finger.fault_decay = 1.0;
-    with.motion = motion;
-    with.surface = AnySurface(BoxSurface(Vector3d::Constant(0.02)));
-    with.body.gravity.setZero();
-    Replay replay(with);
-    moved(replay, 0.0, pose({0.0, 0.0, 0.018}));
-    const SceneContact good = moved(replay, 0.001, pose({0.0003, 0.0, 0.018}));
-    const BodyState body = replay.body();
-    const auto is_held = [&](const SceneContact& contact, Fault fault) {
-      EXPECT_EQ(contact.state, ContactState::invalid);
-      EXPECT_EQ(to_string(contact.fault), to_string(fault));
-      EXPECT_EQ(contact.force, good.force);
-      EXPECT_EQ(contact.proxy, good.proxy);
-      EXPECT_EQ(contact.load, good.load);
-      EXPECT_EQ(replay.body().position, body.position);
-    };
-    is_held(moved(replay, 0.0005, pose({0.0, 0.0, 0.018})), Fault::time_step);
-    is_held(moved(replay, nan, pose({0.0, 0.0, 0.018})), Fault::time_step);
-    if (motion == BodyMotion::prescribed) {
-      is_held(moved(replay, 0.002, pose({0.0, 0.0, 0.018}), {Vector3d::Constant(nan), Quaterniond::Identity()}), Fault::body);
-      is_held(moved(replay, 0.002, pose({0.0, 0.0, 0.018}), {Vector3d::Zero(), Quaterniond(2.0, 0.0, 0.0, 0.0)}), Fault::body);
-    }
-    if (motion != BodyMotion::free) is_held(moved(replay, 0.002, pose({nan, 0.0, 0.018})), Fault::not_finite);
-    EXPECT_EQ(moved(replay, 0.002, pose({0.0003, 0.0, 0.018})).state, ContactState::stick);
-  }
 }
 
 // While a sample is invalid the wrench is held in the body's frame: force and normal turn together.

@@ -123,6 +123,7 @@ TEST(Metamorphic, ARefusedRowLeavesNoTrace) {
       for (std::size_t finger = 0; finger < 2; ++finger) {
         ASSERT_EQ(to_string(held[finger].state), "invalid");
         ASSERT_EQ(held[finger].force, felt[after][finger].force);
+        ASSERT_EQ(held[finger].moment, felt[after][finger].moment);
         ASSERT_EQ(held[finger].load, felt[after][finger].load);
         ASSERT_EQ(held[finger].proxy, felt[after][finger].proxy);
       }
