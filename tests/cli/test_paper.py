@@ -236,6 +236,7 @@ class Corrections(CommandLineTest):
 
     def test_how_much_the_circle_over_estimates(self):
         found = {row["law"]: row for row in rows("validate") if row["model"] == "ellipse"}
+        del found["uniform-wear"]  # infinite in the middle: README.md's figure does not show it
         for law, pressure in (("hertz", hertz), ("uniform", uniform)):
             largest = -printed_equation_17(0, pressure=pressure)[1]
             summed = (printed_equation_17(c, pressure=pressure, n=150) for c in (0.6, 0.65, 0.7, 0.75, 0.8))
