@@ -96,10 +96,6 @@ class Refused(CommandLineTest):
         folder.mkdir(mode=0o555)
         self.assert_refused([executable, *TABLE, str(folder / "table.csv")], ["table.csv", "Permission denied"], **options)
 
-    def test_a_path_below_a_file(self):
-        path = self.file("file", "")
-        self.assert_refused([EXECUTABLE, *TABLE, str(path / "table.csv")], ["table.csv", "Not a directory"])
-
     def test_a_pipe_that_closes(self):
         for call in ["curve --law hertz --points 200000", "replay --trace long.csv " + " ".join(REPLAY[1:-2])]:
             (self.directory / "long.csv").write_text("time,x,y,z,twist\n" + "0,0,0,-0.001,0\n" * 50000)
