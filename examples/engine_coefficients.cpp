@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which number do I type into MuJoCo, and which error remains? For a silicone fingertip: mu = 0.8, a = 4 mm at 2 N, growing as P^(1/3).
+// Which coefficient does MuJoCo need, and which error remains? For a silicone fingertip: mu = 0.8, a = 4 mm at 2 N, growing as P^(1/3).
 #include "limitcurve/engines/engine_coefficients.hpp"
 #include "limitcurve/laws.hpp"
 

@@ -64,7 +64,7 @@ void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& lo
                                    : "are they of one reading? The standard errors are as much too large"));
 }
 
-/// Throws if the samples are all about one centre of rotation, for all their noise says: then they tell a single point of the curve, and a
+/// Throws if the samples are all about one centre of rotation, for all their noise says: then they give a single point of the curve, and a
 /// spread along it that is noise would be taken for that of slips.
 void refuse_one_centre(const internal::ContactResiduals::Ray& ray, const Solution& solution, double noise, bool with_sigma, bool robust) {
   const auto count = static_cast<double>(ray.distances.size());
@@ -76,7 +76,7 @@ void refuse_one_centre(const internal::ContactResiduals::Ray& ray, const Solutio
   if (!(size * size < least * noise)) return;
   throw std::invalid_argument(
       "not identifiable from these samples: mu, mu_r (all slips turn about one centre of rotation, as far as their "
-      "noise tells, expected several centres); what they tell is moment/force = " +
+      "noise tells, expected several centres); they give one point of the curve, not its two limits: moment/force = " +
       format_number(ray.ratio, 4) + " +- " + format_number(ray.ratio * ray.relative_error * std::sqrt(noise), 2) + " m");
 }
 

@@ -42,7 +42,7 @@ struct DevicePose {
 };
 
 /// The pose of a body: of its frame in the world. A finger's frame is that of the body it touches, which may move: `state` and `output` stay in
-/// it. Who finds contacts in the world calls `finger.update(to_body(body, contact), to_body(body, orientation), dt)` and takes
+/// it. If you find contacts in the world, call `finger.update(to_body(body, contact), to_body(body, orientation), dt)` and take
 /// `to_world(body, output)`; a finger that is given the world's coordinates feels no friction from a body that moves beneath it.
 struct BodyPose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the body's origin [m]; of a free body the centre of mass

@@ -16,47 +16,47 @@
 
 namespace limitcurve::godobject {
 
-/// The parameters of a soft finger, except its limit curve. SI units; angles in radians.
+/// Everything about a soft finger except its limit curve: friction, contact radius, springs, dampers, fault handling. SI units, radians.
 struct FingerParameters {
   double mu = 0.5;                                    ///< coefficient of static friction μ, ≥ 0
   std::optional<double> mu_dynamic = {};              ///< coefficient during slip, 0 ≤ μ_d ≤ μ; absent: μ
   RadiusLaw radius_law = RadiusLaw::constant(0.005);  ///< contact radius a(P)
   std::optional<double> mu_r = {};                    ///< μ_r [m/N^γ] ≥ 0: Γ = μ_r P^(1+γ), replaces the radius law (eq. 2)
   double gamma = 0.0;                                 ///< γ ∈ [−0.5, 1] of the moment coefficients
-  /// μ_r during slip [m/N^γ]; absent: μ_r μ_d/μ. Where μ_d = 0 closest_point keeps this moment; radial and c_curve do not, because the ray to
-  /// a trial with a force meets the limit at 0.
+  /// μ_r during slip [m/N^γ]; absent: μ_r μ_d/μ. If μ_d = 0, closest_point keeps this moment; radial and c_curve lose it, because the ray
+  /// to a trial with a force meets the limit at 0.
   std::optional<double> mu_r_dynamic = {};
   double stiffness = 1000.0;       ///< k_l [N/m] > 0, normal and tangential
-  double twist_stiffness = 0.025;  ///< k_r [N m/rad] > 0; a pad's own is k_l a² (docs/drive.md)
+  double twist_stiffness = 0.025;  ///< k_r [N m/rad] > 0; an elastic pad has k_l a² (docs/drive.md)
   double damping = 0.0;            ///< b_l [N s/m] ≥ 0, normal and tangential; acts if `update` has a time step
   double twist_damping = 0.0;      ///< b_r [N m s/rad] ≥ 0
-  /// Hysteresis between static and dynamic friction [1] ≥ 0: a sliding finger comes to rest when its trial is within the sliding limit
-  /// divided by 1 + rest_margin·(μ/μ_d − 1). So a repeated sample, noise or the device's resolution do not bring it back to static
-  /// friction. With the default the trial must fall by about 0.4 of the gap between the limits; a mass that sticks and slips on springs not
-  /// stiffer than the contact makes it fall by 0.5 or more. 0: at rest as soon as the trial is within the sliding limit.
+  /// Hysteresis between static and dynamic friction [1] ≥ 0, against chatter: noise, a repeated sample or device resolution must not put a
+  /// sliding finger back into static friction. It comes to rest once its trial is within the sliding limit divided by 1 +
+  /// rest_margin·(μ/μ_d − 1). By default the trial must fall by about 0.4 of the gap between the limits; stick–slip of a mass on springs no
+  /// stiffer than the contact makes it fall by at least 0.5. 0: at rest as soon as the trial is within the sliding limit.
   double rest_margin = 0.4;
-  /// Maximum displacement between two samples [m] > 0. A larger one is a fault of the device: the sample is `invalid`. If the next sample
-  /// is near it, it is accepted. The default is 500 m/s at 1 kHz; ∞ accepts every sample.
+  /// Largest displacement between two samples [m] > 0. A larger jump is taken for a device fault and makes the sample `invalid`; if the
+  /// next sample stays near, it is accepted. The default is 500 m/s at 1 kHz; ∞ accepts every sample.
   double max_displacement = 0.5;
-  /// Fault decay ∈ [0, 1]: load, force and moment are multiplied by it at each invalid sample after the first. The default halves them in
-  /// 70 samples; 1 holds them for ever.
+  /// How fast the output fades during faults ∈ [0, 1]: each invalid sample after the first multiplies load, force and moment by it. The
+  /// default halves them in 70 samples; 1 holds them forever.
   double fault_decay = 0.99;
 };
 
-/// In shorter time steps [s] dampers do not act, and a free body does not move.
+/// In time steps [s] shorter than this, dampers do not act and free bodies do not move.
 inline constexpr double shortest_time_step = 1e-9;
 
-/// Whether a time step [s] is one: ≥ 0 and finite. A NaN is not.
+/// Whether a time step [s] is valid: ≥ 0 and finite, not NaN.
 [[nodiscard]] constexpr bool is_time_step(double time_step) noexcept {
-  // One comparison: numbers with a sign have larger bits than an infinity, those that are not finite no smaller ones; −0 + 0 is 0.
+  // In one comparison: negative numbers have larger bit patterns than infinity, non-finite ones no smaller; −0 + 0 is 0.
   return std::bit_cast<std::uint64_t>(time_step + 0.0) < std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
 }
 
 /// The state of a contact.
 enum class ContactState : std::uint8_t {
   free,     ///< not touching: depth ≤ 0
-  stick,    ///< touching, the proxy rests on the surface
-  slip,     ///< touching, the proxy slid or turned in this step
+  stick,    ///< touching; the proxy rests
+  slip,     ///< touching; the proxy slid or turned in this step
   invalid,  ///< bad input: the last good output is held, then fades
 };
 
@@ -66,20 +66,20 @@ constexpr std::string_view to_string(ContactState state) noexcept {
   return names[static_cast<std::size_t>(state)];
 }
 
-/// Why a sample was refused: the reason of the state `invalid`.
+/// Why a sample was rejected: the reason for the state `invalid`.
 enum class Fault : std::uint8_t {
   none,
-  not_finite,    ///< a NaN or an infinity in a position, a normal, an orientation or a twist
+  not_finite,    ///< a NaN or infinity in a position, normal, orientation or twist
   too_far,       ///< beyond `farthest`
   orientation,   ///< the device's orientation is not of unit length
   normal,        ///< the contact's normal is not of unit length
-  time_step,     ///< it is < 0 or not finite
+  time_step,     ///< < 0 or not finite
   displacement,  ///< more than `max_displacement` since the last sample
-  body,          ///< the pose of the touched body (Grasp, Replay) is not finite, beyond `farthest`, or not of unit length
+  body,          ///< the touched body's pose (Grasp, Replay) is not finite, beyond `farthest`, or not of unit length
   force,         ///< the force or the moment on the body (Grasp) is not finite, or would carry it beyond `farthest`
 };
 
-/// What is wrong, as in "a sample is invalid: the normal is not of unit length"; "none" without a fault.
+/// The fault in words, as in "a sample is invalid: the normal is not of unit length"; "none" without a fault.
 constexpr std::string_view to_string(Fault fault) noexcept {
   constexpr std::array<std::string_view, 9> reasons{"none",
                                                     "a number is not finite",
@@ -93,24 +93,24 @@ constexpr std::string_view to_string(Fault fault) noexcept {
   return reasons[static_cast<std::size_t>(fault)];
 }
 
-/// The result of a step.
+/// What one step returns: the force and moment to render, and the state of the contact.
 struct FingerOutput {
   ContactState state = ContactState::free;
   Eigen::Vector3d proxy = Eigen::Vector3d::Zero();    ///< x_p [m]; while free, the finger's position
   double angle = 0.0;                                 ///< α_p [rad], measured like the device's twist; while free, the twist
   double depth = 0.0;                                 ///< d [m]; NaN in a step under a given load
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward, at the contact
-  /// Normal force on the user [N], 0 while free: the load that bounds friction (`FingerState::limit_load`, k_l d and the damper's part) plus the
-  /// push of a curved surface, k_l times its rise from x_g to the proxy, < 0 on a convex one; on a plane both are one. The push is part of the
-  /// gradient of the springs' energy: a closed loop gains nothing with it, and may gain without. `load_to_hold` has the same unit.
+  /// Normal force on the user [N], 0 while free. It is the load that bounds friction (`FingerState::limit_load`: k_l d plus the damper's
+  /// part) plus, on a curved surface, its push: k_l times the rise from x_g to the proxy, < 0 if convex. With the push, the force is the
+  /// gradient of the springs' energy, so closed loops gain none; without it they may. `load_to_hold` counts it too.
   double load = 0.0;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential
   double moment = 0.0;                                    ///< friction on the user about the normal [N m]
   double cor = std::numeric_limits<double>::quiet_NaN();  ///< distance of the slip's COR from the contact centre [m]; NaN without slip
-  double slip_work = 0.0;                                 ///< energy that slip dissipates in this step [J], ≥ 0 if `converged`
-  /// False: the search for a patch's closest point did not converge. The wrench is on the limit surface, but not the closest point.
+  double slip_work = 0.0;                                 ///< energy dissipated by slip in this step [J], ≥ 0 if `converged`
+  /// False if the search for a patch's closest point did not converge: the wrench is on the limit surface, but not the closest point.
   bool converged = true;
-  Fault fault = Fault::none;  ///< the reason of `ContactState::invalid`; none in any other state
+  Fault fault = Fault::none;  ///< the reason for `ContactState::invalid`; none in any other state
 
   /// The force on the user [N]. After `update_under_load` apply `force` and `moment_vector()` alone: the engine pushes.
   [[nodiscard]] Eigen::Vector3d whole_force() const noexcept { return normal * load + force; }
@@ -126,34 +126,34 @@ struct FingerOutput {
   return output;
 }
 
-/// The last good sample of the device: where the finger is against the surface.
+/// The last good sample of the device: where the finger is relative to the surface.
 struct FingerSample {
   Eigen::Vector3d goal = Eigen::Vector3d::Zero();     ///< x_g [m]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward normal there
   double depth = 0.0;                                 ///< d [m]
   double angle = 0.0;                                 ///< α_g [rad], unwrapped
-  double twist = 0.0;                                 ///< the device's twist as it was given [rad]
-  double unwrapped_by = 0.0;                          ///< added to it by unwrapping [rad], a multiple of 2π
+  double twist = 0.0;                                 ///< the device's twist as passed in [rad]
+  double unwrapped_by = 0.0;                          ///< what unwrapping added to it [rad], a multiple of 2π
 
   /// The finger's position x_h [m].
   [[nodiscard]] Eigen::Vector3d position() const noexcept { return goal - normal * depth; }
 };
 
-/// What is known of good and refused samples.
+/// Bookkeeping of good and rejected samples.
 struct FingerFaults {
-  bool seen = false;                                     ///< there was a good sample
-  bool refused = false;                                  ///< the last sample was refused because of its displacement
+  bool seen = false;                                     ///< there has been a good sample
+  bool refused = false;                                  ///< the last sample was rejected for its displacement
   Eigen::Vector3d refused_at = Eigen::Vector3d::Zero();  ///< its position [m]
 };
 
-/// What the friction of a patch keeps between steps. Zero for a limit curve.
+/// What a patch's friction remembers between steps. Zero for a limit curve.
 struct PatchMemory {
   Eigen::Vector3d zero_axis = Eigen::Vector3d::Zero();  ///< unit tangent: the patch's x axis at α_p = 0
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();       ///< its x axis in the last step, before slip turned it
   Eigen::Vector3d slip = Eigen::Vector3d::Zero();       ///< the last slip (v_x, v_y, ω) in those axes [m, rad]; zero without slip
 };
 
-/// The whole state of a finger between steps. Plain numbers: copy it, save it, restore it.
+/// The complete state of a finger between steps. Plain data: copy it, save it, restore it.
 struct FingerState {
   FingerOutput output{};  ///< of the last step; its proxy is the finger's memory
   FingerSample sample{};
@@ -164,9 +164,9 @@ struct FingerState {
   PatchMemory patch{};
   /// Under a given load: the normal that holds the proxy, within 0.25 rad of the present one (finger/springs.hpp).
   Eigen::Vector3d held_normal = Eigen::Vector3d::UnitZ();
-  bool in_contact = false;    ///< unchanged by invalid samples
-  double limit_load = 0.0;    ///< P of the friction limit [N]: k_l d plus the damper's force; `FingerOutput::load` less the surface's push
-  double trial_force = 0.0;   ///< trial wrench of the last step (eq. 7): force of springs and dampers if the proxy stayed [N]
+  bool in_contact = false;   ///< unchanged by invalid samples
+  double limit_load = 0.0;   ///< P that bounds friction [N]: k_l d plus the damper's force; `FingerOutput::load` without the surface's push
+  double trial_force = 0.0;  ///< trial wrench of the last step (eq. 7): force of springs and dampers if the proxy had stayed [N]
   double trial_moment = 0.0;  ///< and their moment [N m]
 };
 

@@ -39,7 +39,7 @@ class BasicFingerCurve {
   /// A curve that other code made, for example from cells in memory of its own. The view must stay valid as long as `owner`, of which
   /// copies of the curve share the ownership; null if the memory outlives all of them.
   BasicFingerCurve(const CurveView<Real>& view, std::shared_ptr<const void> owner) : view_(view), owner_(std::move(owner)) {}
-  // Moving copies, which is cheap: what was moved from stays what it was.
+  // Moves are cheap copies; a moved-from curve stays valid.
   BasicFingerCurve(const BasicFingerCurve&) = default;
   BasicFingerCurve& operator=(const BasicFingerCurve&) = default;
   /// A pressure law is not a limit curve: a compile-time error says what to write.
@@ -60,7 +60,7 @@ class BasicFingerCurve {
   /// Error of a table against its law [unit wrenches], checked_error + profile_error; 0 for a closed form.
   [[nodiscard]] double error() const noexcept { return error_; }
 
-  /// The wrench of a slip twist. Signs of the twist do not count; a zero twist gives wrench 0.
+  /// The wrench of a slip twist. Signs are ignored; a zero twist gives wrench 0.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;
   /// The point where the ray through a wrench ≠ 0 meets the curve, and the normal there.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;

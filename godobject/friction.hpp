@@ -30,10 +30,10 @@ struct FrictionLimits {
 /// The trial wrench: force and moment of springs and dampers if the proxy stayed (eq. 7).
 template <class Number>
 struct FrictionTrial {
-  Number force;                        ///< k_l r [N]; its sign does not count
+  Number force;                        ///< k_l r [N]; its sign is ignored
   Number moment;                       ///< k_r ρ [N m]; likewise
-  Number force_rounding = Number(0);   ///< bound of the rounding error of `force`, from the positions [N]
-  Number moment_rounding = Number(0);  ///< bound of the rounding error of `moment` [N m]
+  Number force_rounding = Number(0);   ///< bound on the rounding error of `force`, from the positions [N]
+  Number moment_rounding = Number(0);  ///< bound on the rounding error of `moment` [N m]
 };
 
 /// The state of friction between steps. Initially a contact is at rest.

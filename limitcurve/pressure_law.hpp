@@ -74,7 +74,7 @@ class PressureLaw {
   /// Cost: nanoseconds for a closed form, up to 0.1 ms by quadrature; no exception, no allocation, no lock. In a control loop use a table.
   [[nodiscard]] virtual UnitForces<double> forces(double s, Slope slope = Slope::wanted) const noexcept;
 
-  /// Unit wrench at |s| ∈ [0, ∞] and a bound of its absolute error, computed in extended precision. `allows(method)` must be true.
+  /// Unit wrench at |s| ∈ [0, ∞] and a bound on its absolute error, computed in extended precision. `allows(method)` must be true.
   /// The true error is at most the error returned. That is ≤ 1e-15 relative for a closed form and ≤ 1e-14 for ring and punch (larger if long
   /// double is double: accuracy.hpp); ≤ 1e-13 for boost; for direct it is absolute. A law from samples adds its
   /// interpolation error. Cost: 1 µs to 0.5 ms, direct 10 to 100 ms.
@@ -84,7 +84,7 @@ class PressureLaw {
   /// (profile_error). Tables of a fine tolerance are built from it, because the error of `forces` is too large for them.
   [[nodiscard]] virtual Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept;
 
-  /// Bound of the absolute error of f and m, at every s, that comes from a pressure known at samples only. `evaluate` includes it.
+  /// Bound on the absolute error of f and m, at every s, that comes from a pressure known at samples only. `evaluate` includes it.
   /// 0 for a law given by a formula.
   [[nodiscard]] virtual double profile_error() const noexcept { return 0.0; }
 
@@ -110,7 +110,7 @@ class PressureLaw {
 /// 0, or the quadrature misses 1e-3 of the force or of the moment.
 Law checked(Law law);
 
-/// The method of that name; throws std::invalid_argument, which lists those that the law has, for one that it lacks or that is none.
+/// The method of that name; throws std::invalid_argument, which lists those that the law has, for any other.
 Method method_of(const PressureLaw& law, std::string_view name);
 
 /// Base of laws: implements both densities by the derived law's template
@@ -122,7 +122,7 @@ Method method_of(const PressureLaw& law, std::string_view name);
 ///    `rim_exponent`. A ring of infinite pressure within the rim costs digits: about 1e-9.
 /// What a law does not keep of this `evaluate` adds to its error, and a table to its own: what the
 /// load lacks in the points of the quadrature. Never NaN; more than 1e-3 is refused (`checked`).
-/// Method::boost, a witness, does not look for it.
+/// Method::boost, the independent reference, does not look for it.
 template <class Derived>
 class PressureLawOf : public PressureLaw {
  public:

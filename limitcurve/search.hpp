@@ -64,7 +64,7 @@ template <class Real, class Number, class Function>
     // Lanes of a pack that are done keep their x, and with it their last step.
     const auto goes_on = searching && !is_last;
     if (!any(goes_on) || step == max_search_steps) return {x, select(searching && is_last, halley - x, zero)};
-    // A step out of the bracket or a NaN (0/0) is replaced by bisection. So is every eighth step: Halley steps may alternate for ever.
+    // A step out of the bracket or a NaN (0/0) is replaced by bisection. So is every eighth step: Halley steps may alternate forever.
     const Number middle = half * (low + high);
     x = select(goes_on, step % 8 == 0 ? middle : select(is_inside, halley, middle), x);
   }

@@ -19,21 +19,21 @@
 
 namespace limitcurve {
 
-/// The name of a table's law, its tolerance and its errors.
+/// What a table says about itself: its law, tolerance and error bounds.
 struct TableFacts {
   std::string law_name;        ///< or the name of the curve
   double tolerance = 0.0;      ///< the tolerance given to `build`
-  double checked_error = 0.0;  ///< bound of the absolute error of f and of m: ≤ tolerance·max(force_max, m_max)
-  double profile_error = 0.0;  ///< absolute error of the law itself, from samples of the pressure (PressureLaw::profile_error); add it
+  double checked_error = 0.0;  ///< bound on the absolute error of f and of m: ≤ tolerance·max(force_max, m_max)
+  double profile_error = 0.0;  ///< absolute error of the law itself if its pressure was sampled (PressureLaw::profile_error); add it
 };
 
-/// One cell: the support function along one side, D(t) = Σ cᵢ (t − x)ⁱ, from t = x to the next cell's x, or to 1.
+/// One cell: the support function on one side of the rim, D(t) = Σ cᵢ (t − x)ⁱ, from t = x to the next cell's x or to 1.
 struct TableCell {
   double x;
   std::array<double, 7> coefficients;
 };
 
-/// The cells of both sides and the size of their index: all that defines a table's curve.
+/// Everything that defines a table's curve: the cells on both sides of the rim, and their index size.
 struct TableCells {
   int index_bits = 0;              ///< p: 2^p buckets in each octave (TablePieces), 3 to 11
   int octaves = 0;                 ///< d: octaves of 1 − x + 2^−d
@@ -47,19 +47,19 @@ struct TableCells {
 /// How to build a table.
 struct TableOptions {
   std::string name = {};  ///< becomes law_name(); if empty, that of the law
-  /// The fastest table with at most so many bytes(): D has the lowest degree, 3 to 5, that needs no search of a cell. If none fits, a larger
-  /// table of degree 6; or of 3 where 6 meets rounding. A look-up takes about 0.5 ns more for each degree, and 4 ns for each step of a
-  /// search, if no table can do without.
+  /// Preferred size, not a limit. Lower degrees are faster but larger: the table gets the lowest degree, 3 to 5, that fits this many
+  /// bytes() and finds its cell without a search. If none fits, it gets degree 6 and any size, or degree 3 where 6 hits rounding. A look-up
+  /// costs about 0.5 ns more per degree, and 4 ns per search step if a search is unavoidable.
   std::size_t preferred_bytes = 4096;
 };
 
-/// A table: a limit curve that interpolates the support function of another, with a checked error, in at most max_bytes. Models LimitCurve.
+/// A lookup table for real-time loops: a limit curve to a chosen tolerance, at a few nanoseconds per wrench and at most 96 KiB. After
+/// construction nothing allocates, throws or locks. Immutable; copies share the cells. Models LimitCurve.
 ///
-/// Inside the rim D(x) = H(x, 1), x = c/a; outside D(x) = H(1, x), x = a/c. D is a polynomial of degree 3 to 6 in each cell. Cells join with
-/// their first derivatives, and the builder proves that every cell is convex. Hence the slip twist is exactly the normal of the table's own
-/// curve at the wrench (D′, D − xD′). Both ends, pure sliding and pure spin, are exact.
-///
-/// Immutable; copies share the cells. No allocation, exception or lock after construction.
+/// If f and m were interpolated separately, a finger could rest at several wrenches of one steady twist (docs/stability.md). So the table
+/// stores one convex function: D(x) = H(x, 1), x = c/a, inside the rim, D(x) = H(1, x), x = a/c, outside, in cells of degree 3 to 6. Cells
+/// join with continuous slope, and the builder proves each convex. The slip twist is thus exactly the table's normal at the wrench
+/// (D′, D − xD′). Pure sliding and pure spin are exact.
 template <class Real>
 class BasicTable {
  public:
@@ -71,15 +71,15 @@ class BasicTable {
   /// The largest bytes() of a table.
   static constexpr std::size_t max_bytes = 98304;
 
-  /// The table of `law` with |error| ≤ tolerance·max(1, m₀) in f and in m at every twist. Cost: milliseconds for a closed form, up to
-  /// seconds by quadrature.
-  /// Throws std::invalid_argument for a law that `checked` refuses and a tolerance out of range. Throws std::runtime_error if the tolerance needs more than max_bytes
-  /// or is finer than the law's own error; the message names the law and the finest possible tolerance.
+  /// Builds the table of `law`: |error| ≤ tolerance·max(1, m₀) in f and in m at every twist. Takes milliseconds for a closed form, up to
+  /// seconds by quadrature. Throws std::invalid_argument for a law that `checked` rejects or a tolerance out of range, and
+  /// std::runtime_error if the tolerance needs more than max_bytes or is finer than the law's own error; the message names the law and the
+  /// finest possible tolerance.
   static BasicTable build(const Law& law, double tolerance = default_tolerance, TableOptions options = {});
 
-  /// The table of any curve that has `wrench(SlipTwist)` to 1e-15 and no corners or faces: an ellipse, your own curve; not a box or a
-  /// diamond. |error| ≤ tolerance·max(force_max, m_max). Throws like the other `build`; std::invalid_argument, with the requirement and the
-  /// place, for a function that is no such curve.
+  /// Builds the table of any smooth curve, such as an ellipse or your own, whose `wrench(SlipTwist)` is accurate to 1e-15. Boxes and
+  /// diamonds have corners and faces, and are rejected. |error| ≤ tolerance·max(force_max, m_max). Throws like the other `build`, and
+  /// std::invalid_argument with the violated requirement and its location.
   template <class Curve>
   requires requires(const Curve& curve, SlipTwist twist) {
     { curve.wrench(twist) } -> std::convertible_to<UnitWrench>;
@@ -89,37 +89,37 @@ class BasicTable {
     return build_from([&curve](SlipTwist twist) -> UnitWrench { return curve.wrench(twist); }, tolerance, std::move(options));
   }
 
-  /// A table from its cells, for example from a file. Throws std::invalid_argument, with the cell or fact, if a fact or the x of a cell is
-  /// out of range, a number is not finite, cells do not join or are not convex, an end is not exact, or the table has more than max_bytes.
+  /// Rebuilds a table from its cells, such as those in a file. Throws std::invalid_argument, naming the cell or fact, if a fact or a cell's
+  /// x is out of range, a number is not finite, cells do not join or are not convex, an end is not exact, or max_bytes is exceeded.
   BasicTable(TableFacts facts, const TableCells& cells);
 
-  // Moving copies, which is cheap: what was moved from stays what it was.
+  // Moves are cheap copies; a moved-from table stays valid.
   BasicTable(const BasicTable&) = default;
   BasicTable& operator=(const BasicTable&) = default;
 
   [[nodiscard]] const std::string& law_name() const noexcept { return data_->facts.law_name; }
   [[nodiscard]] double tolerance() const noexcept { return data_->facts.tolerance; }
-  /// Bound of the absolute error of f and of m, from a comparison with the exact curve in every cell.
+  /// Bound on the absolute error of f and of m, measured against the exact curve in every cell, plus a margin.
   [[nodiscard]] double checked_error() const noexcept { return data_->facts.checked_error; }
-  /// Absolute error of the law itself if its pressure is known at samples only. Add it to checked_error(). 0 for laws given by a formula.
+  /// Absolute error of the law itself if its pressure is sampled: add it to checked_error(). 0 for laws given by a formula.
   [[nodiscard]] double profile_error() const noexcept { return data_->facts.profile_error; }
   [[nodiscard]] std::size_t cell_count() const noexcept { return data_->cells.inside.size() + data_->cells.outside.size(); }
   /// The degree of D.
   [[nodiscard]] int degree() const noexcept { return view_.table.degree; }
-  /// Memory that look-ups read [bytes]: the cells and their index.
+  /// Memory that look-ups read [bytes]: cells and index.
   [[nodiscard]] std::size_t bytes() const noexcept;
-  /// The cells as numbers, exactly: BasicTable(facts, cells()) makes an equal table.
+  /// The cells, exactly: BasicTable(facts, cells()) is an equal table.
   [[nodiscard]] const TableCells& cells() const noexcept { return data_->cells; }
 
   [[nodiscard]] double force_max() const noexcept { return static_cast<double>(view_.force_max); }  ///< at pure sliding: 1 for a law
   [[nodiscard]] double moment_ratio() const noexcept { return static_cast<double>(view_.moment_max) / force_max(); }  ///< m₀
   [[nodiscard]] UnitWrench rim() const noexcept { return wrench({1.0, 1.0}); }                                        ///< at s = 1
 
-  /// The table as a control loop reads it: plain data. Valid as long as any copy of the table exists.
+  /// Plain data for control loops. Valid while any copy of the table exists.
   [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
   [[nodiscard]] const TablePieces<Real>& pieces() const noexcept { return view_.table; }
 
-  /// The wrench of a slip twist, to checked_error(). Signs of the twist do not count; a zero twist gives wrench 0. About 4 ns.
+  /// The wrench of a slip twist, to checked_error(), in a few nanoseconds. Signs are ignored; a zero twist gives wrench 0.
   /// Inlined, as `point` and `gauge`: your compiler's flags may change its last bits (docs/interfaces.md).
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     twist = {arithmetic::abs(twist.slide), arithmetic::abs(twist.spin)};
@@ -131,7 +131,7 @@ class BasicTable {
     return {wrench[0], wrench[1]};
   }
 
-  /// The wrenches of many slip twists, as far as both arrays go: the library's bits, whatever your flags.
+  /// The wrenches of many slip twists, up to the shorter span: the library's bits, whatever your flags.
   void wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept;
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
@@ -142,11 +142,11 @@ class BasicTable {
     return {wrench_of(outside, jet.leading, jet.trailing), wrench_of(outside, rate, -double{x} * rate)};
   }
 
-  /// The point where the ray through `direction` ≠ 0 meets the table's curve, and its normal. Usually 2 to 4 evaluations, at most 64.
+  /// Where the ray through `direction` ≠ 0 meets the table's curve, and the normal there. Usually 2 to 4 evaluations, at most 64.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return gauge_along(*this, wrench); }
-  /// Likewise the gauges of many wrenches, in less time where the processor has wide packs.
+  /// The gauges of many wrenches, faster where the processor has SIMD.
   void gauge(std::span<const UnitWrench> wrenches, std::span<double> gauges) const noexcept;
 
  private:

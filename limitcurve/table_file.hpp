@@ -36,12 +36,12 @@ std::string to_json(const Table& table);
 /// a float, and closest_point within 5e-6.
 std::string to_header(const Table& table, std::string_view name = {}, bool is_single = false);
 
-/// Bound of the error of force and moment by a header in single precision: the table's own and roundings, about 4e-7·max(1, m₀).
+/// Bound on the error in force and moment by a header in single precision: the table's own and roundings, about 4e-7·max(1, m₀).
 double single_precision_error(const Table& table);
 
 /// Reads a table that `to_csv` wrote. `source` is its name in messages. Throws std::invalid_argument: `source:line:column: …` for a text
 /// that is truncated, out of order or not a table; `source: …` for a wrong checksum and for cells
-/// that make no table.
+/// that do not make a table.
 Table read_table_csv(std::string_view text, std::string_view source);
 
 /// The contents of a table file of format 2, CSV or JSON.

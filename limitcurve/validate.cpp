@@ -37,7 +37,7 @@ double part_of(std::size_t i) {
 }
 
 /// The largest value of `function` over [0, 1], from its values on the grid: the largest one, refined between its neighbours. The position
-/// is right to 1e-10; so the value at a kink is right to about that, and at a smooth maximum to rounding.
+/// is accurate to 1e-10; so the value at a kink is accurate to about that, and at a smooth maximum to rounding.
 template <class Function>
 double refined_maximum(const std::vector<double>& on_grid, const Function& function) {
   const auto best = std::max_element(on_grid.begin(), on_grid.end());

@@ -16,7 +16,7 @@ namespace limitcurve {
 
 /// Errors over all rays of the normalised plane x = f/f_max, y = m/m_max of the exact curve, from axis to axis. Radial errors are fractions
 /// of the exact radius on the same ray, ≥ 0. 1025 rays are compared. Largest and smallest values are refined between rays, to 1e-9; the
-/// mean is right to 1e-6.
+/// mean is accurate to 1e-6.
 struct CurveError {
   double max_error = 0.0;           ///< the larger of the two below
   double rms_error = 0.0;           ///< root of the mean square over the rays' angle
@@ -64,6 +64,11 @@ EndTurns end_turns(const Curve& curve) {
   return {std::fabs(spin.slope.force) / spin.wrench.moment, std::fabs(slide.slope.moment) / slide.wrench.force};
 }
 
+/// f ≈ s/σ_f near pure spin, m ≈ m₀σ_m/s near pure sliding.
+inline EndTurns end_turns(const PadeModel& model) {
+  return {1.0 / (model.force_cor() * model.moment_ratio()), model.moment_cor() * model.moment_ratio()};
+}
+
 // The normals of a polygon turn at once, or not at all, which no slope shows.
 template <std::size_t count>
 EndTurns end_turns(const Polygon<count>& polygon) {
@@ -78,9 +83,17 @@ Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 
 }  // namespace detail
 
-/// Errors of `model` against `exact`, a strictly convex curve (the exact curve, a table, an ellipse; not a polygon). At the ends the ratio
-/// of the CORs is its limit, from the slopes of both curves.
-template <LimitCurve Model, LimitCurve Exact>
+/// Zhuravlev's model with the ends of `exact`, whose force_max is 1.
+template <LimitCurve Exact>
+PadeModel pade_model(const Exact& exact) {
+  const double m0 = exact.moment_ratio();
+  const auto [spin, slide] = detail::end_turns(exact);
+  return {1.0 / (spin * m0), slide / m0, m0};
+}
+
+/// Errors of `model`, a LimitCurve or a PadeModel, against `exact`, a strictly convex curve (the exact curve, a table, an ellipse; not a
+/// polygon). At the ends the ratio of the CORs is its limit, from the slopes of both curves.
+template <class Model, LimitCurve Exact>
 CurveError curve_error(const Model& model, const Exact& exact) {
   const UnitWrench intercepts = detail::intercepts_of(exact);
   const auto compare = [&](SlipTwist twist) -> detail::RayComparison {
@@ -96,7 +109,7 @@ CurveError curve_error(const Model& model, const Exact& exact) {
 
 /// The ellipse inside the exact curve whose largest error is least; both semi-axes are free. It
 /// holds only where the exact curve holds. For common laws it is the ellipse through the
-/// intercepts, shrunk (Hertz: to 0.940 of both). Semi-axes right to 1e-7; it is inside to 1e-12.
+/// intercepts, shrunk (Hertz: to 0.940 of both). Semi-axes accurate to 1e-7; it is inside to 1e-12.
 template <LimitCurve Exact>
 Ellipse inner_ellipse(const Exact& exact) {
   return detail::inner_ellipse(detail::wrench_of(exact), detail::intercepts_of(exact));

@@ -64,7 +64,7 @@ struct RadialPoint {
   SlipTwist normal;
 };
 
-/// A unit wrench, a bound of the absolute error of each component, and the slope of the force.
+/// A unit wrench, a bound on the absolute error of each component, and the slope of the force.
 struct WrenchEstimate {
   UnitWrench wrench;
   UnitWrench error;          ///< absolute, ≥ 0

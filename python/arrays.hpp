@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-/// Texts from and to Python as os.fsencode and os.fsdecode have them, because many are or have names of files: bytes that are no UTF-8 pass.
+/// Texts from and to Python as os.fsencode and os.fsdecode have them, because many are or have names of files: bytes that are not UTF-8 pass.
 template <>
 struct nanobind::detail::type_caster<std::string> {
   NB_TYPE_CASTER(std::string, const_name("str"))

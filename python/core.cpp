@@ -199,7 +199,7 @@ double number_of(nb::handle value, const std::string& name, double standard) {
 
 std::string string_of(nb::handle value, const std::string& name) {
   std::string text;
-  if (!nb::try_cast(value, text)) throw std::invalid_argument(name + ": got " + shown(value) + ", expected a text");
+  if (!nb::try_cast(value, text)) throw std::invalid_argument(name + ": got " + shown(value) + ", expected a str");
   return text;
 }
 
@@ -263,7 +263,7 @@ std::string path_of(nb::handle path) {
   }
 }
 
-/// As nanobind does, but with names of files that are no UTF-8.
+/// As nanobind does, but with names of files that are not UTF-8.
 void translate(const std::exception_ptr& thrown, void*) {
   const auto raise = [](PyObject* type, const char* message) { PyErr_SetObject(type, nb::cast(std::string(message)).ptr()); };
   try {

@@ -260,7 +260,7 @@ void add_tables(nb::module_& module) {
       "Semi-axes (p, q) with which an engine's elliptic cone, coefficients mu p and mu a q, finds the exact curve: of the ellipse "
       "that\n"
       "touches it. Give the engine's last unit wrench (F/(mu P), M/(mu P a)) and the p and q it was found with, after each step: they\n"
-      "converge. Without p and q it touches on the wrench's ray; slip=(|v|, a|omega|): at a known slip. Signs do not count; no wrench\n"
+      "converge. Without p and q it touches on the wrench's ray; slip=(|v|, a|omega|): at a known slip. Signs are ignored; no wrench\n"
       "or slip gives the usual ellipse (1, m0), NaN gives NaN. Broadcasts.\n\n"
       ">>> import limitcurve as lc\n"
       ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
@@ -273,7 +273,7 @@ void add_tables(nb::module_& module) {
           "The cells as rows (side, x, c0 ... c6), in the order of a file: D(t) = sum ci (t - x)^i from t = x to the next larger x of its\n"
           "side, or to 1. On side 0, inside the rim, t = c/a, and (D', D - t D') is force and moment; on side 1, outside, t = a/c, and\n"
           "it is moment and force.")
-      .def_prop_ro("checked_error", &Table::checked_error, "Bound of the absolute error of f and m against the law.")
+      .def_prop_ro("checked_error", &Table::checked_error, "Bound on the absolute error of f and m against the law.")
       .def_prop_ro("profile_error", &Table::profile_error,
                    "Additional error because the pressure is known only at samples; 0 for a formula.")
       .def_prop_ro("tolerance", &Table::tolerance, "Requested tolerance.")
@@ -318,7 +318,7 @@ PyCurve closed_curve(const std::string& name, double force_max, double moment_ma
 Law law_of(nb::handle law) {
   if (nb::isinstance<PyLaw>(law)) return nb::cast<const PyLaw&>(law).law;
   if (nb::isinstance<nb::str>(law)) return cli::read_law(nb::cast<std::string>(law));
-  throw std::invalid_argument("law: got " + shown(law) + ", expected a text, such as 'hertz', or a Law");
+  throw std::invalid_argument("law: got " + shown(law) + ", expected a str, such as 'hertz', or a Law");
 }
 
 template <>

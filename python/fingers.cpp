@@ -146,7 +146,7 @@ void add_output(nb::module_& module) {
       .def_ro("cor", &FingerOutput::cor, "distance of the slip's centre of rotation [m]; NaN unless it slips")
       .def_ro("slip_work", &FingerOutput::slip_work, "dissipated in this step [J], >= 0")
       .def_ro("converged", &FingerOutput::converged, "False: the search for a patch's closest point did not converge")
-      .def_ro("fault", &FingerOutput::fault, "Fault: the reason of the state `invalid`")
+      .def_ro("fault", &FingerOutput::fault, "Fault: the reason for the state `invalid`")
       .def("__repr__", [](const FingerOutput& self) {
         if (self.state == ContactState::invalid) return "<invalid: " + std::string(to_string(self.fault)) + ">";
         return "<" + std::string(to_string(self.state)) + ", load " + format_number(self.load) + " N, friction " +
@@ -344,7 +344,7 @@ FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
         continue;
       }
       if (!nb::isinstance<nb::str>(value))
-        throw std::invalid_argument("radius_law: got " + shown(value) + ", expected a text, such as 'constant:a=0.005'");
+        throw std::invalid_argument("radius_law: got " + shown(value) + ", expected a str, such as 'constant:a=0.005'");
       radius_law = cli::read_radius_law(nb::cast<std::string>(value));
       continue;
     }

@@ -28,7 +28,7 @@ class Choose final : public Subcommand {
         "the normalised plane: whether a contact holds; how it moves is a question for --scene. nanoseconds, the time to compute one\n"
         "wrench from its slip twist on one machine (compare ratios only); chosen, true for the cheapest model whose\n"
         "error is at most the tolerance. --explain gives the reasons on standard error.\n"
-        "With --patch in place of --law the contact is not round (see 'limitcurve patch'). Candidates are the disc with the least\n"
+        "With --patch instead of --law the contact is not round (see 'limitcurve patch'). Candidates are the disc with the least\n"
         "largest error (parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 + m0^2 w^2) (parameter: m0)\n"
         "and the patch itself. error is the largest relative error of power over all sliding twists.\n"
         "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or CURVE/PROJECTION, with the\n"
@@ -44,14 +44,14 @@ class Choose final : public Subcommand {
 
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
-    options.text("--patch", patch_, "PATCH", "In place of --law: a pressure patch of any shape");
+    options.text("--patch", patch_, "PATCH", "Instead of --law: a pressure patch of any shape");
     options.number("--tolerance", tolerance_, positive, "Largest error, relative (0.01 is 1 %), from 1e-10 to 1; with --scene from 1e-6",
                    Presence::required);
     options.flag("--explain", explain_, "Give the reason for each candidate on standard error");
     options.flag("--scene", scene_wanted_, "Choose the step of a scene: limit curve, projection, and whether torsion matters");
     options.number("--mu", mu_, positive, "Scene: coefficient of friction (default 0.5)");
     options.radius_law(radius_law_);
-    options.number("--mu-r", scene_.mu_r, positive, "Scene: mu_r [m]; the moment limit is mu_r P, in place of the radius law's");
+    options.number("--mu-r", scene_.mu_r, positive, "Scene: mu_r [m]; the moment limit is mu_r P, instead of the radius law's");
     options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)", Presence::optional);
     options.number("--stiffness", stiffness_, positive, "Scene: k_l [N/m] (default 1000)");
     options.number("--twist-stiffness", twist_stiffness_, positive, "Scene: k_r [N m/rad] (default 0.025)");
@@ -143,7 +143,7 @@ class Choose final : public Subcommand {
     if (!mu_) text += " --mu " + format_number(scene_.mu);
     if (!stiffness_) text += " --stiffness " + format_number(scene_.stiffness);
     if (!twist_stiffness_) text += " --twist-stiffness " + format_number(scene_.twist_stiffness);
-    if (step.finger.mu_r == 0.0) return text + " --mu-r 0" + (radius_law_ ? " in place of --radius-law" : "");
+    if (step.finger.mu_r == 0.0) return text + " --mu-r 0" + (radius_law_ ? " instead of --radius-law" : "");
     const RadiusLaw& radius_law = step.finger.radius_law;
     if (!scene_.mu_r && (!radius_law_ || radius_law.depends_on_load() != scene_.radius_law.depends_on_load())) {
       text += " --radius-law constant:a=" + format_number(radius_law.radius(scene_.most_load), 6);

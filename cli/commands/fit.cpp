@@ -29,23 +29,23 @@ class Fit final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"fit", "Fits a friction model to measured slips, or an approximation to the exact curve",
-            "With --data, a CSV of slips: load,force,moment[,sigma_force,sigma_moment] [N, N, N m]. With --law and no data, an\n"
-            "ellipse is fitted to the exact unit curve.\n"
-            "ratio: mu, mu_r and the contact radius that they imply under --law (default hertz); or, from a CSV of published\n"
-            "ratio,ratio_sd[,n] (mean and standard deviation [m] of n measurements) of several materials, their weighted mean and a\n"
-            "test that one ratio explains them: chi_squared, degrees_of_freedom, p_value, the probability of more scatter. Without n\n"
-            "chi_squared_per_n, and n_for_p_0.05, from how many measurements of each on one ratio is refuted.\n"
-            "law: the same for the pressure law that explains the data best, or for --law.\n"
-            "load: a(P) or mu_r(P) = c P^gamma, from a CSV of load,radius[,sigma_radius] or load,moment[,sigma_moment].\n"
-            "friction: the coefficient of a contact that is not round (--patch, as in 'limitcurve patch'), from pushes that slid:\n"
-            "force_x,force_y,moment,dx,dy,dtheta about the origin of the patch [N, N m, m, rad]. mu is the mean of power over H; drift is\n"
-            "the slope of power over H against the share of rotation |w| m0/sqrt(v^2 + w^2 m0^2), divided by the mean: 0 if the patch\n"
-            "explains the pushes. Errors of the direction make mu too small: 20 % take off 1 %. mu_ellipsoid and drift_ellipsoid use the "
-            "ellipsoid sqrt(v^2 + m0^2 w^2) in place of H.\n"
-            "Columns: parameter, value, std_error (empty without data: a curve has no noise), unit, note (the fitted model and its\n"
-            "assumptions).\n"
-            "Standard error has warnings, and in its last line the options of replay and the fields of FingerParameters to use, unless\n"
-            "the data refuse the fit.",
+            "Models, and the CSV columns that --data must have:\n"
+            "ellipse: the nearest ellipse, to slips load,force,moment[,sigma_force,sigma_moment] [N, N, N m] or, with --law and no data,\n"
+            "to the exact unit curve.\n"
+            "ratio: mu, mu_r and the contact radius that they imply under --law (default hertz), from slips; or, from published\n"
+            "ratio,ratio_sd[,n] of several materials (mean and standard deviation [m] of n measurements), their weighted mean and a test\n"
+            "whether one ratio explains them: chi_squared, degrees_of_freedom, p_value (the probability of more scatter). Without n:\n"
+            "chi_squared_per_n, and n_for_p_0.05, the n from which one ratio is rejected.\n"
+            "law: the same for --law, or for whichever law explains the slips best.\n"
+            "load: a(P) or mu_r(P) = c P^gamma, from load,radius[,sigma_radius] or load,moment[,sigma_moment].\n"
+            "friction: the coefficient of a contact that is not round (--patch, see 'limitcurve patch'), from pushes that slid:\n"
+            "force_x,force_y,moment,dx,dy,dtheta about the patch's origin [N, N m, m, rad]. mu is the mean of power over H; drift is the\n"
+            "slope of power over H against the rotation share |w| m0/sqrt(v^2 + w^2 m0^2), divided by the mean: 0 if the patch explains\n"
+            "the pushes. Direction errors bias mu low: 20 % cost 1 %. mu_ellipsoid and drift_ellipsoid use the ellipsoid\n"
+            "sqrt(v^2 + m0^2 w^2) instead of H.\n"
+            "Columns: parameter, value, std_error (empty without data: a curve has no noise), unit, note (model and assumptions).\n"
+            "Warnings go to standard error; its last line has the replay options and FingerParameters fields to use, unless the data\n"
+            "reject the model.",
             "limitcurve fit ellipse --law hertz"};
   }
 
@@ -65,7 +65,7 @@ class Fit final : public Subcommand {
     options.flag("--fit-gamma", settings_.fit_gamma, "Fit gamma to the data, too");
     options.flag("--covariance", covariance_, "With --data: add a column covariance_NAME for each parameter");
     options.flag("--residuals", residuals_,
-                 "Write, in place of the parameters, one column: by how many standard deviations each slip lies outside the fitted curve");
+                 "Write, instead of the parameters, one column: by how many standard deviations each slip lies outside the fitted curve");
     options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius above this [m]");
   }
 
@@ -171,7 +171,7 @@ class Fit final : public Subcommand {
     say("note", text + report.message);
   }
 
-  static constexpr int digits = 6;  ///< of a number to type
+  static constexpr int digits = 6;  ///< of a suggested parameter
 
   /// The fitted finger as options of replay and as fields of FingerParameters.
   void suggest_parameters(const fit::ModelFit& found) const {
@@ -185,7 +185,7 @@ class Fit final : public Subcommand {
     if (estimates.front().name == "ratio") return;  // without mu there is no finger
     const bool follows_outliers = found.report.scatter_refused && loss_ == 0;
     if (models[model_] == "law" && (found.report.gamma_refused || follows_outliers)) {
-      return say("note", std::string("nothing to type: the data refuse this fit; add") +
+      return say("note", std::string("no parameters suggested: the data reject this model; add") +
                              (found.report.gamma_refused ? " --fit-gamma" : "") + (follows_outliers ? " --loss cauchy" : ""));
     }
     const double gamma = value("gamma", settings_.gamma);
@@ -195,8 +195,8 @@ class Fit final : public Subcommand {
     if (estimates.front().name == "c") {
       const std::string c = format_number(estimates.front().value, digits);
       if (gamma >= 0.0) {
-        say("note", "to type into replay: --radius-law power:c=" + c + ",gamma=" + growth +
-                        "; into FingerParameters: .radius_law = RadiusLaw::power(" + c + ", " + growth + ")");
+        say("note", "for replay: --radius-law power:c=" + c + ",gamma=" + growth +
+                        "; for FingerParameters: .radius_law = RadiusLaw::power(" + c + ", " + growth + ")");
       }
       return;
     }
@@ -214,11 +214,11 @@ class Fit final : public Subcommand {
     add("mu-r", "mu_r", format_number(estimates[of_load ? 0 : 1].value, digits));
     if (gamma != 0.0) add("gamma", "gamma", growth);
     if (!of_load && (!law.empty() || found.model == "ellipse") && std::filesystem::exists(descriptor::path_of(data_))) {
-      say("note", "to type, for the load that would hold each row: limitcurve hold" + options + " --data " + shell_word(data_) +
+      say("note", "for the load that would hold each row: limitcurve hold" + options + " --data " + shell_word(data_) +
                       file_columns_.options +
                       (file_columns_.least_load ? " --least-load " + format_number(*file_columns_.least_load) : ""));
     }
-    say("note", "to type into replay:" + options + "; into FingerParameters: " + fields);
+    say("note", "for replay:" + options + "; for FingerParameters: " + fields);
   }
 
   /// The law as a value of --law; "" if the curve belongs to no law or its shape is unknown.

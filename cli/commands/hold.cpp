@@ -34,16 +34,16 @@ class Hold final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {
-        "hold", "How hard to grip: the least load under which a contact bears a force and a moment without slip",
-        "A contact of --law, --radius-law or --mu-r, and --mu bears --force and --moment, or each row of --data (force,moment). Signs do\n"
-        "not matter. With --fingers 2 --mass M --offset L in their place, fingers grip an object beside its centre of mass and hold\n"
-        "it level: each bears m g/2 and m g l/2, and hold_load is the grip of each.\n"
-        "--patch P, in place of --law and --radius-law: a contact that is not round (see 'limitcurve patch'); then --force is FX,FY,\n"
-        "and --data has fx,fy,moment; the moment is about the origin of the patch. With --mass the weight pulls along --down, and the\n"
-        "centre of mass is --offset from the origin towards (-Y, X), which is positive x by default.\n"
+        "hold", "How hard to grip: the smallest load that carries a force and a moment without slip",
+        "Describe the contact by --mu, --law, and --radius-law or --mu-r; describe what it must carry in one of three ways: --force and\n"
+        "--moment; --data with one force and moment per row; or --fingers 2 --mass M --offset L, an object held level beside its centre\n"
+        "of mass, of which each finger carries m g/2 and m g l/2, with hold_load as the grip of each. Signs do not matter.\n"
+        "Contacts that are not round: replace --law and --radius-law by --patch P (see 'limitcurve patch'). Then --force is FX,FY,\n"
+        "--data has fx,fy,moment, and the moment is about the patch's origin. With --mass gravity pulls along --down; the centre of\n"
+        "mass is --offset from the origin towards (-Y, X), by default positive x.\n"
         "Columns: force,moment (with --patch fx,fy,moment) [N, N m]; hold_load [N], of a patch the total of its points, inf if no load\n"
-        "holds. Where --data has a column load [N], also margin at that load: 1 without friction, 0 on the limit and beyond, as in\n"
-        "'limitcurve replay --details'. Where --law is measured, also hold_error [N]: an estimate of how far hold_load is off because\n"
+        "holds. If --data has a column load [N], also the margin at that load: 1 without friction, 0 on the limit and beyond, as in\n"
+        "'limitcurve replay --details'. If --law is measured, also hold_error [N]: an estimate of how far hold_load is off because\n"
         "the pressure is known only at samples.",
         "limitcurve hold --law hertz --radius-law hertz:R=0.008,E=2e5 --mu 0.8 --fingers 2 --mass 0.2 --offset 0.02"};
   }
@@ -53,15 +53,15 @@ class Hold final : public Subcommand {
     options.moment(torsion_);
     options.named("--curve", curve_, godobject::curve_kind_names(), godobject::parse_curve_kind,
                   "Limit curve (default exact); with ellipse or box, --mu and --mu-r no law is needed");
-    options.text("--patch", patch_, "PATCH", "In place of --law and --radius-law: a pressure patch");
+    options.text("--patch", patch_, "PATCH", "Instead of --law and --radius-law: a pressure patch");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu [1]", Presence::required);
     options.numbers("--force", force_, finite, "Friction force F [N]; with --patch FX,FY", Presence::optional);
     options.number("--moment", moment_, finite, "Friction moment M [N m]");
-    options.text("--data", data_, "FILE", "In place of --force and --moment: CSV of them, or - for standard input");
+    options.text("--data", data_, "FILE", "Instead of --force and --moment: CSV of them, or - for standard input");
     options.file_columns(columns_);
     options.least_load(columns_);
     options.count("--fingers", fingers_, 1, 100,
-                  "In place of --force and --moment: number of fingers that share an object's weight (default 2)");
+                  "Instead of --force and --moment: number of fingers that share an object's weight (default 2)");
     options.number("--mass", mass_, positive, "Mass of the object [kg]");
     options.number("--offset", offset_, finite, "Distance of its centre of mass from the grip, level [m]");
     options.numbers("--down", down_, finite, "With --patch and --mass: direction of the weight, X,Y (default 0,-1)", Presence::optional);

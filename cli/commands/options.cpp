@@ -131,7 +131,7 @@ void Options::radius_law(std::optional<RadiusLawArgument>& value) {
 
 void Options::moment(MomentArgument& value) {
   radius_law(value.radius_law);
-  number("--mu-r", value.mu_r, non_negative, "In place of --radius-law: mu_r [m/N^gamma], the moment limit is mu_r P^(1+gamma)");
+  number("--mu-r", value.mu_r, non_negative, "Instead of --radius-law: mu_r [m/N^gamma], the moment limit is mu_r P^(1+gamma)");
   number("--gamma", value.gamma, Range{-0.5, 1.0, "a number from -0.5 to 1"}, "gamma of mu_r, from -0.5 to 1 (default 0)");
 }
 

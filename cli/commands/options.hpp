@@ -72,7 +72,7 @@ class Options {
   void choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
               Presence presence = Presence::optional);
 
-  /// The numbers of a finger (godobject/finger/finger_parameter_table.hpp), of which `required` must be given, and only `rare` ones or only the others.
+  /// The finger parameters (godobject/finger/finger_parameter_table.hpp), of which `required` must be given, and only `rare` ones or only the others.
   void finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required, bool rare);
   void law(Law& value, Presence presence = Presence::required);
   void radius_law(std::optional<RadiusLawArgument>& value);

@@ -43,7 +43,7 @@ class PatchCommand final : public Subcommand {
         "--half-spaces N: at most N rows of inequalities inside the limit surface, for a planner, and their vertices, about the origin.\n"
         "Columns: kind; a row has fx F_x + fy F_y + moment M <= mu N, units 1, 1, 1/m; a vertex is a wrench for mu N = 1, units 1, 1, m;\n"
         "share: the polytope's radius over the limit surface's in the worst direction. N: 8, 14, 32, 62 or 128.\n"
-        "--law with --radius-law or --mu-r, in place of --patch: a round contact; wrenches are force,moment, slips slide,spin [m/s, "
+        "--law with --radius-law or --mu-r, instead of --patch: a round contact; wrenches are force,moment, slips slide,spin [m/s, "
         "rad/s].",
         "limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists data/patches/twists.csv --mu 0.5 --load 4"};
   }
@@ -53,9 +53,8 @@ class PatchCommand final : public Subcommand {
     options.law(law_, Presence::optional);
     options.moment(moment_);
     options.text("--twists", twists_, "FILE", "CSV of twists, or - for standard input");
-    options.text("--wrenches", wrenches_, "FILE", "In place of --twists: CSV of wrenches, or - for standard input");
-    options.count("--half-spaces", half_spaces_, 8, 1'000'000,
-                  "In place of --twists: rows of inequalities, whatever --mu and the load are");
+    options.text("--wrenches", wrenches_, "FILE", "Instead of --twists: CSV of wrenches, or - for standard input");
+    options.count("--half-spaces", half_spaces_, 8, 1'000'000, "Instead of --twists: rows of inequalities, whatever --mu and the load are");
     options.number("--mu", mu_, positive, "Coefficient of friction");
     options.number("--load", load_, positive, "With --twists: normal load P [N] (default 1)");
   }

@@ -72,15 +72,16 @@ GripOperator read_operator(const std::string& text, UnitChecks& questions) {
 class Pivot final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"pivot", "Runs the paper's experiment: a block turns between two fingers that ease their grip",
+    return {"pivot", "Runs the paper's experiment: a block turns between two fingers that loosen their grip",
             "The block starts level, its centre of mass `offset` left of the grip point; x points right, y up.\n"
             "The paper gives mu_l and mu_r of the materials, case A (coupled), case B (uncoupled) and the level start. It does not give\n"
-            "size, mass and offset of the block, k_l, k_r, dampers and time step; the defaults are ours. Two of them decide the result:\n"
-            "k_r in case A, through the radial projection; offset against mu_r/mu_l in case B, whether the block turns at all.\n"
+            "size, mass and offset of the block, k_l, k_r, dampers, rate of release and time step: the defaults are our choice. Three\n"
+            "decide the result: k_r (by the radial projection) and the rate in case A, the offset in both: in case B the block turns\n"
+            "only if the offset exceeds mu_r/mu_l.\n"
             "Cases: coupled (ellipse, radial), uncoupled (box, closest point), exact (table, closest point). --curve and\n"
             "--projection replace those of the case; without --case they are table and closest-point.\n"
             "Grip: --grip FILE (CSV time,load [s, N], linear in between), or --release from=1,to=0,over=4 [N, N, s], or\n"
-            "--operator target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s,on-slide=regrip|keep]. The operator eases the grip\n"
+            "--operator target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s,on-slide=regrip|keep]. The operator loosens the grip\n"
             "until the block turns, keeps it turning, and grips again for good at the target angle, or (unless on-slide=keep) once the\n"
             "block has slid more than 2 mm and more than 20 mm per radian of its turn. Defaults: load=2*P0, rate=P0 per second,\n"
             "regrip-rate ten times that. Without any of the three: from P0 to P0/2 in 10 s, where P0 is 0.5 N, or 1.3 times the load\n"
@@ -97,9 +98,9 @@ class Pivot final : public Subcommand {
     options.named("--case", case_, godobject::pivot_case_names(), godobject::parse_pivot_case,
                   "Friction model; optional if one of the next three options is given");
     options.named("--curve", settings_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind,
-                  "Limit curve, in place of the case's");
+                  "Limit curve, instead of the case's");
     options.named("--projection", settings_.projection, godobject::projection_names(), godobject::parse_projection,
-                  "Projection onto the limit curve, in place of the case's");
+                  "Projection onto the limit curve, instead of the case's");
     options.radius_law(radius_law_);
     options.text("--material", material_, "rayon|suede|sandpaper", "Coefficients from Table 1 (data/materials.csv)");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");

@@ -94,7 +94,7 @@ class Replay final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"replay", "Runs a soft finger (the paper's god-object) over a recorded motion on a surface",
-            "Trace: columns time,x,y,z,twist [s, m, m, m, rad]. qw,qx,qy,qz (a unit quaternion, finger to world) may stand in place of\n"
+            "Trace: columns time,x,y,z,twist [s, m, m, m, rad]. qw,qx,qy,qz (a unit quaternion, finger to world) may stand instead of\n"
             "twist; without both the finger does not twist. The plane is z = 0: outward normal +z, penetration -z.\n"
             "Columns: time; state free|stick|slip|invalid (a note names the reason, the first time and the count); px,py [m] and angle\n"
             "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the rendered friction; cor [m], the distance of the\n"
@@ -112,8 +112,7 @@ class Replay final : public Subcommand {
   void declare(Options& options) override {
     options.text("--trace", trace_, "FILE", "CSV with columns time,x,y,z,twist, or - for standard input", Presence::required);
     options.law(replay_.law, Presence::optional);
-    options.text("--patch", patch_, "PATCH",
-                 "In place of --law and --radius-law: a pressure patch of any shape (closest-point projection)");
+    options.text("--patch", patch_, "PATCH", "Instead of --law and --radius-law: a pressure patch of any shape (closest-point projection)");
     options.radius_law(radius_law_);
     options.finger(replay_.finger, {"mu", "stiffness", "twist_stiffness"}, false);
     options.named("--curve", replay_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind, "Limit curve (default table)");
@@ -135,7 +134,7 @@ class Replay final : public Subcommand {
     options.count("--fingers", fingers_, 1, godobject::Replay::most_fingers, "Number of fingers in the trace");
     options.value(
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
-        "b=NUMBER[,b_r=NUMBER][,T=SECONDS][,delay=SAMPLES]: refuse gains that are not passive on a device with this damping [N s/m, "
+        "b=NUMBER[,b_r=NUMBER][,T=SECONDS][,delay=SAMPLES]: reject gains that are not passive on a device with this damping [N s/m, "
         "N m s/rad], sample time (default: the longest of the trace) and delay (most devices: 1)",
         Presence::optional);
     options.flag("--details", details_, "Add columns for a controller: " + details_text());

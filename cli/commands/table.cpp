@@ -22,7 +22,7 @@ class Table final : public Subcommand {
     return {"table", "Writes a lookup table of the limit curve with a checked error",
             "The name of the file selects its format: .csv, .json, .h (C99) or .hpp (constexpr C++17, no dependencies).\n"
             "Without --name the names in a header hold the law and the checksum, so that each table has its own.\n"
-            "Columns: law; tolerance; checked_error, an upper bound of the absolute error of force and moment in unit wrenches;\n"
+            "Columns: law; tolerance; checked_error, an upper bound on the absolute error of force and moment in unit wrenches;\n"
             "nodes, the number of polynomials in the table; bytes that a look-up may touch; profile_error, the error because a\n"
             "measured pressure is known at samples only, to be added to checked_error (0 for a law given by a formula).",
             "limitcurve table --law hertz --tolerance 1e-6 -o hertz.csv"};

@@ -20,7 +20,7 @@ namespace limitcurve::cli {
 
 namespace {
 
-/// An empty cell in place of NaN.
+/// An empty cell instead of NaN.
 std::optional<double> if_any(double number) {
   return std::isnan(number) ? std::nullopt : std::optional(number);
 }
@@ -29,7 +29,7 @@ class Translate final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {
-        "translate", "The coefficients to type into physics engines, with the error each keeps; or what such a number means",
+        "translate", "Coefficients for physics engines, with the error that remains; or what such a coefficient means",
         "The coefficients give the exact limits of force and moment at --load; between the limits each engine has its own shape.\n"
         "Columns: engine; parameter, in the engine's spelling; value; unit; model, the shape (ellipse, diamond, box, point: no\n"
         "moment); max_error, its largest radial error against the exact curve (0.07 is 7 %); cor_error,\n"
@@ -40,7 +40,7 @@ class Translate final : public Subcommand {
         "for randomisation.\n"
         "With several values of --mu: the coefficients for each, and a last column mu. mu_r follows mu; drawn apart, they are of no pad.\n"
         "--mu-r R, as it is measured, with --gamma G if it grows with the load: instead of --radius-law.\n"
-        "--patch P, in place of --law, --radius-law and --load: a contact that is not round (see 'limitcurve patch').\n"
+        "--patch P, instead of --law, --radius-law and --load: a contact that is not round (see 'limitcurve patch').\n"
         "--read ENGINE.PARAMETER=VALUE, with --law and --mu alone: what a number in a scene means. PARAMETER is the engine's name or a\n"
         "short one: friction, torsional, patch_radius, ... VALUE may be all that an attribute has: 'mujoco.friction=1 0.005 0.0001'.\n"
         "Numbers of one engine belong to one contact, until a parameter comes again; its friction replaces --mu.\n"
@@ -53,7 +53,7 @@ class Translate final : public Subcommand {
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
     options.moment(moment_);
-    options.text("--patch", patch_, "PATCH", "In place of --law, --radius-law and --load: a pressure patch");
+    options.text("--patch", patch_, "PATCH", "Instead of --law, --radius-law and --load: a pressure patch");
     options.numbers("--mu", frictions_, positive, "Friction coefficient mu [1], or several: 0.4,1.2", Presence::optional);
     options.number("--load", load_, positive, "Normal load P [N] at which the limits are exact");
     options.numbers("--loads", loads_, positive,

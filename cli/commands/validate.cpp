@@ -30,12 +30,12 @@ class Validate final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {
-        "validate", "Errors of ellipse, box and diamond against the exact curve",
+        "validate", "Errors of ellipse, box, diamond and Padé model against the exact curve",
         "Errors are relative radii in the paper's normalised plane (0.07 is 7 %). An over-estimate holds where the real finger slips.\n"
         "max_cor_error is the largest |c_model/c_exact - 1|, inf if it is unbounded.\n"
         "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares and ellipse-inner (inside the curve,\n"
-        "with the least largest error): the force semi-axis in units of mu P; box (uncoupled limits): inf, and diamond: 1, the\n"
-        "exponents n of x^n + y^n = 1.\n"
+        "with the smallest maximum error): the force semi-axis in units of mu P; box (uncoupled limits): inf, and diamond: 1, the\n"
+        "exponents n of x^n + y^n = 1; pade (Zhuravlev's model, by its own twist: it has no normal): c/a at half the force.\n"
         "With --patch the contact is not round (see 'limitcurve patch') and law names the patch. Errors compare the model's power\n"
         "with the patch's, over all sliding twists; rms_error is over centres of rotation in 128 directions at 121\n"
         "distances, evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models and their parameter:\n"
@@ -55,8 +55,8 @@ class Validate final : public Subcommand {
         "Pressure law, also samples:FILE.csv; may be repeated (default: all laws of 'limitcurve laws')", Presence::optional);
     options.repeated(
         "--patch", "PATCH", [this](const std::string& text) { patches_.push_back(text); },
-        "In place of --law: a pressure patch; may be repeated", Presence::optional);
-    options.text("--points", file_, "FILE", "In place of models: CSV of points of a limit curve, or - for standard input");
+        "Instead of --law: a pressure patch; may be repeated", Presence::optional);
+    options.text("--points", file_, "FILE", "Instead of models: CSV of points of a limit curve, or - for standard input");
     options.number("--mu", mu_, positive, "Of --points: coefficient of friction");
     options.number("--load", load_, positive, "Of --points: normal load P [N]");
     options.number("--radius", radius_, positive, "Of --points with --law: contact radius a [m]");
@@ -88,6 +88,7 @@ class Validate final : public Subcommand {
       ellipse("ellipse-inner", inner_ellipse(exact));
       row("box", std::numeric_limits<double>::infinity(), curve_error(box(1.0, exact.moment_ratio()), exact));
       row("diamond", 1.0, curve_error(diamond(1.0, exact.moment_ratio()), exact));
+      row("pade", pade_model(exact).force_cor(), curve_error(pade_model(exact), exact));
     }
     rows.finish();
   }

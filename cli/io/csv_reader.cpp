@@ -413,7 +413,7 @@ bool CsvReader::next_row() {
     throw complaint_at(line_.size(), "a line of " + std::to_string(field_count_) + (field_count_ == 1 ? " field" : " fields") + ", got '" +
                                          excerpt(line_) + "', expected " + std::to_string(header_fields_) +
                                          (has_header_ ? " as in the header" : " as in the first row") +
-                                         (field_count_ == 2 * header_fields_ ? "; are there decimal commas in place of points?"
+                                         (field_count_ == 2 * header_fields_ ? "; are there decimal commas instead of points?"
                                                                              : std::string(other_separator(fields_[0].text))));
   }
   return true;

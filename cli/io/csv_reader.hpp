@@ -21,7 +21,7 @@ using namespace ranges;
 /// Columns of numbers in memory (Python's arrays), which a CsvReader reads by their path as it would a file.
 class MemoryColumns {
  public:
-  /// `name` stands for the file in messages: `trace['x'][17]: …`. The columns have one length, and stay where they are. What is no column of
+  /// `name` stands for the file in messages: `trace['x'][17]: …`. The columns have one length, and stay where they are. What is not a column of
   /// numbers has none, and in `refused` the complaint for who reads it; else that is empty.
   MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers,
                 std::vector<std::string> refused);
@@ -31,7 +31,7 @@ class MemoryColumns {
 
   /// What no file has.
   [[nodiscard]] const std::string& path() const { return path_; }
-  /// A message with the name in place of the path.
+  /// A message with the name instead of the path.
   [[nodiscard]] std::string named(std::string message) const;
 
  private:

@@ -20,7 +20,7 @@ Law read_law(const std::string& text);
 /// The same, and the rows of a measured profile; `profile` stays empty for other laws.
 Law read_law(const std::string& text, std::vector<PressureSample>& profile);
 
-/// The law that such a text means, with the rows of its profile in place of the file's.
+/// The law that such a text means, with the rows of its profile instead of the file's.
 Law law_of(const std::string& text, const std::vector<PressureSample>& profile);
 
 /// A radius law on a command line. Measured moment limits become a radius law once friction and pressure law are known: Γ(P) = m₀ μ P a(P).

@@ -17,7 +17,7 @@ class Messages {
   enum class Kind { none, notes, notes_and_progress };
 
   explicit Messages(Kind kind) : kind_(kind) {}
-  /// Notes go to `lines` in place of standard error.
+  /// Notes go to `lines` instead of standard error.
   explicit Messages(std::vector<std::string>& lines) : kind_(Kind::notes), lines_(&lines) {}
   /// Clears the bar.
   ~Messages() { stop(); }

@@ -33,7 +33,7 @@ struct Column {
 struct Results {
   OutputFile& output;
   Format format = Format::csv;
-  std::vector<Column>* columns = nullptr;  ///< collects the rows in place of `output`, unless null
+  std::vector<Column>* columns = nullptr;  ///< collects the rows instead of `output`, unless null
   Messages* messages = nullptr;            ///< never null in `Subcommand::run`
 };
 

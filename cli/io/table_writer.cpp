@@ -25,7 +25,7 @@ TableWriter table_writer(const std::string& file, const std::string& option, con
     return [option](const limitcurve::Table& table) {
       std::string text = to_json(table);
       if (!nlohmann::json::accept(text))
-        throw std::invalid_argument(option + ": the law's name is no UTF-8, as JSON must be, expected a file that ends in .csv");
+        throw std::invalid_argument(option + ": the law's name is not UTF-8, as JSON must be, expected a file that ends in .csv");
       return text;
     };
   }

@@ -5,7 +5,7 @@
     make_conformance.py             write it (five minutes)
     make_conformance.py --check     compute it again and compare
 
-The witness shares nothing with the library: it has the laws' unit wrenches from mpmath (pressure_laws.py), hence the support
+The reference shares nothing with the library: it has the laws' unit wrenches from mpmath (pressure_laws.py), hence the support
 function H(v, w) = v f + w m, and searches over all slip twists.
 
     wrench   slide spin            -> force moment      the wrench that a twist slips at, of magnitudes

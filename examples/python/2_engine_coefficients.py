@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which number do I type into MuJoCo? For a silicone fingertip: mu = 0.8, a = 4 mm at 2 N, growing as P^(1/3)."""
+"""Which coefficient does MuJoCo need? For a silicone fingertip: mu = 0.8, a = 4 mm at 2 N, growing as P^(1/3)."""
 
 import limitcurve as lc
 import limitcurve.plot

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The paper's experiment inside MuJoCo: a block between two soft fingers turns when they ease their grip.
+"""The paper's experiment inside MuJoCo: a block between two soft fingers turns when they loosen their grip.
 
 MuJoCo has the block, gravity and the fingers' normal forces (contacts of condim 1: no friction of its own). Friction is limitcurve's:
 once a step the two `SoftFinger`s get the contact's place, turn and normal force, and what they give is applied to the block.

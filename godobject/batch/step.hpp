@@ -85,7 +85,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   // A proxy farther than two samples can be, or NaN, is memory that the caller never wrote: a fault until the contact ends.
   const auto is_known = is_usable && r + rho <= Number(static_cast<Real>(4.0 * farthest));
   const Number rounding = Number(std::numeric_limits<Real>::epsilon() / 2);
-  // Without torsion the angle has no friction, so its rounding does not count.
+  // Without torsion the angle has no friction, so its rounding does not matter.
   const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho, stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
                                     limits.has_torsion ? twist_stiffness * rounding * abs(proxy_angle) : zero};
   const auto was_sliding = stays && is_at(contacts.force_slides, ContactState::slip);

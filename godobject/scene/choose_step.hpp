@@ -27,7 +27,7 @@ struct Scene {
   double slide_speed = 0.05;                               ///< largest sliding speed [m/s] ≥ 0
   double twist_rate = 1.0;                                 ///< largest rate of the twist [rad/s] ≥ 0
   double slide = std::numeric_limits<double>::infinity();  ///< largest distance from the touch-down [m] ≥ 0
-  double twist = std::numeric_limits<double>::infinity();  ///< largest twist since the touch-down [rad] ≥ 0; one of both > 0
+  double twist = std::numeric_limits<double>::infinity();  ///< largest twist since the touch-down [rad] ≥ 0; at least one of the two > 0
 };
 
 /// A candidate's error is this factor times the largest error in the scene's test motion, because another motion may have a larger error. In 300

@@ -51,8 +51,8 @@ struct GripOperator {
 /// their load changes. x points right and y up; the origin is the grip point. At the start the block is level, and its centre of mass is at
 /// (−offset, 0). Its weight turns it counter-clockwise, to positive angles, until the centre of mass hangs below the grip (90° without
 /// slip). The block moves in the plane only. The paper gives μ_l, μ_r (its Table 1), the two cases and the level start. It does not give
-/// the block, its offset, springs, dampers and time step: these defaults are ours. k_r decides the result of the paper's projection
-/// (docs/paper.md, §6).
+/// the block, its offset, springs, dampers, rate of release and time step: these defaults are our choice. k_r and the rate decide case A,
+/// the offset both cases (docs/paper.md, §6).
 struct PivotOptions {
   PivotCase kind = PivotCase::coupled;
   std::optional<CurveKind> curve = {};                ///< absent: the case's
@@ -92,7 +92,7 @@ struct PivotRow {
   double friction_force = 0.0;   ///< |F| of both fingers together on the block [N]
   double friction_moment = 0.0;  ///< |M| of both together about the grip's axis [N m]
   ContactState state = ContactState::stick;  ///< of the fingers; free when the block has left them
-  Fault fault = Fault::none;                 ///< the reason of `invalid`, where a time step would carry the block beyond `farthest`
+  Fault fault = Fault::none;                 ///< the reason for `invalid`, where a time step would carry the block beyond `farthest`
   double cor = 0.0;                          ///< distance of the slip's COR from the grip point [m]; NaN without slip
   // The paper's [r, ρ] plane, for one finger: distances between god-object and goal (eq. 7). Both pairs are equal if it sticks, 0 while free.
   double r = 0.0;          ///< |x_p − x_g| after step b [m]

@@ -38,7 +38,7 @@ struct SceneContact {
   Eigen::Vector3d centre_of_rotation =
       Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());  ///< of the slip [m]; inf for pure sliding, NaN without slip
   double dissipated = 0.0;                                                  ///< energy of this finger's slip since the beginning [J]
-  Fault fault = Fault::none;                                                ///< the reason of `invalid`
+  Fault fault = Fault::none;                                                ///< the reason for `invalid`
 };
 
 /// The options of a replay. `Replay` checks them.

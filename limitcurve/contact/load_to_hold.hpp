@@ -68,7 +68,7 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
 inline namespace LIMITCURVE_COPIES {
 #endif
 
-/// The smallest load [N] under which the contact bears a force [N] and a moment [N·m] without slip; their signs do not count. 0 for none of
+/// The smallest load [N] under which the contact bears a force [N] and a moment [N·m] without slip; their signs are ignored. 0 for neither
 /// both; ∞ without friction, for a moment without moment coefficient, and where no finite load holds; NaN for NaN. Relative error ≤ 1e-12
 /// plus the curve's, of a measured pressure `hold_error`. Throws like `ContactFriction::radius`. Cost: one call of `gauge` for a constant
 /// radius, else 3 to 6 calls of `along`, at most 60.

@@ -42,7 +42,7 @@ class RadiusLaw {
   /// Like all factories here it throws `std::invalid_argument`, with the parameter, its value, unit and range.
   static RadiusLaw parse(std::string_view text);
 
-  // Moving copies, which is cheap: what was moved from stays what it was.
+  // Moves are cheap copies; a moved-from law stays valid.
   RadiusLaw(const RadiusLaw&) = default;
   RadiusLaw& operator=(const RadiusLaw&) = default;
 

@@ -17,7 +17,7 @@ class Patch;
 /// The facts about engines stand in data/engines/engines.csv and coefficients.csv; the library has these files inside.
 namespace limitcurve::engines {
 
-/// A number to type into a physics engine.
+/// A coefficient for a physics engine.
 struct EngineCoefficient {
   std::string parameter;  ///< in the engine's spelling
   double value;

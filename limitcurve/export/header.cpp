@@ -217,7 +217,7 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_project(double force, double mo
   return found;
 }
 
-/// Distance of a unit wrench from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Signs do not count.
+/// Distance of a unit wrench from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Signs are ignored.
 LIMITCURVE_TABLE_FUNCTION double @NAME@_gauge(double force, double moment) {
   double gauge = (force < 0.0 ? -force : force) + (moment < 0.0 ? -moment : moment);
   if (gauge - gauge == 0.0) @NAME@_project(force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment, 0.0, &gauge);

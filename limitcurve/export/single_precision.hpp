@@ -9,7 +9,7 @@ namespace limitcurve::table {
 /// round to one float the last remains.
 TableCells in_single_precision(const TableCells& cells);
 
-/// Bound of the rounding errors of force and moment where such cells are evaluated in float as an exported header does, at an x that is a
+/// Bound on the rounding errors of force and moment where such cells are evaluated in float as an exported header does, at an x that is a
 /// float: a running error analysis of Horner's scheme, with absolute values. To first order in the unit roundoff 2⁻²⁴.
 double rounding_in_single_precision(const TableCells& cells);
 

@@ -29,7 +29,7 @@ class LineProfile {
   /// Coordinates 0 ≤ t < outer where a derivative of the slope may jump, and some where it changes fast; none for the polynomials of Hertz and the flat punch.
   [[nodiscard]] const std::vector<double>& kinks() const noexcept { return kinks_; }
   [[nodiscard]] double error() const noexcept { return error_; }
-  /// Whether an ellipse's integrals under this law are right to 1e-12 (accuracy::patch_ellipse).
+  /// Whether an ellipse's integrals under this law are accurate to 1e-12 (accuracy::patch_ellipse).
   [[nodiscard]] bool is_smooth() const noexcept { return is_smooth_; }
   /// For Hertz and the flat punch: G = g[0] + g[1] t² + g[2] t⁴ in |t| ≤ 1.
   [[nodiscard]] bool is_polynomial() const noexcept { return is_polynomial_; }

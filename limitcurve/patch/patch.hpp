@@ -45,7 +45,7 @@ struct PatchWrench {
 struct PatchFriction {
   double power = 0.0;
   PatchWrench wrench;
-  double error = 0.0;  ///< bound of the largest of: the power's relative error, |ΔF|, |ΔM|/m₀; set by `about_origin` only
+  double error = 0.0;  ///< bound on the largest of: the power's relative error, |ΔF|, |ΔM|/m₀; set by `about_origin` only
 };
 
 /// How a patch slips under a wrench.
@@ -92,7 +92,7 @@ class Patch {
   /// The same with pixels that are rectangles, `width` along x and `height` along y [m].
   static Patch image(std::span<const double> pressures, std::size_t columns, double width, double height);
 
-  // Moving copies, which is cheap: what was moved from stays what it was.
+  // Moves are cheap copies; a moved-from patch stays valid.
   Patch(const Patch&) = default;
   Patch& operator=(const Patch&) = default;
 

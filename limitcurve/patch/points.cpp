@@ -34,7 +34,7 @@ std::vector<PatchLoad> stretch_loads(std::vector<PatchLoad> loads, double sx, do
   return loads;
 }
 
-/// Bound of the rounding error of a sum over `count` points: of power and force, and of the moment in units of m₀.
+/// Bound on the rounding error of a sum over `count` points: of power and force, and of the moment in units of m₀.
 double rounding(std::size_t count, double radius, double moment_ratio) {
   const double terms = 4.0 + static_cast<double>(count) / 8.0;
   return terms * epsilon * (1.0 + (moment_ratio > 0.0 ? radius / moment_ratio : 0.0));

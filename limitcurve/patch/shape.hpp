@@ -23,7 +23,7 @@ struct Shape {
 
   /// H and its gradient; twist and moment refer to the centre of pressure. Does not set `error`.
   [[nodiscard]] virtual PatchFriction evaluate(const PatchTwist& twist) const noexcept = 0;
-  /// Bound of the error of `evaluate`.
+  /// Bound on the error of `evaluate`.
   [[nodiscard]] virtual double error(const PatchTwist& twist) const noexcept = 0;
   /// Under orthotropic friction `factors` = (mx, my): H, its gradient and the error at the user's twist, where this shape is the patch
   /// with x times my and y times mx. Twist and moment refer to the origin. The caller scales as for `evaluate`.

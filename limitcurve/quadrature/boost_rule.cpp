@@ -32,7 +32,7 @@ UnitForces<double> ring_kernel_by_carlson(double rho, double s, double from_cor)
   return {scale * q * b, scale * rho * e, scale * d / rho};
 }
 
-/// ∫₀^length of integrand(from_left, from_right) ≥ 0, and a bound of its error: Boost's estimate, which is that of the last row but
+/// ∫₀^length of integrand(from_left, from_right) ≥ 0, and a bound on its error: Boost's estimate, which is that of the last row but
 /// one, and the rounding of the kernels and the pressure.
 template <class Integrand>
 std::pair<double, double> integrate_by_boost(const Integrand& integrand, double length, double tolerance) {

@@ -39,7 +39,7 @@ void require_limit_curve(const std::function<UnitWrench(SlipTwist)>& curve, cons
     const auto is_component = [](double value) { return value >= 0.0 && std::isfinite(value); };
     if (!is_component(here.wrench.force) || !is_component(here.wrench.moment)) {
       throw refuse("the wrench (" + format_number(here.wrench.force, 6) + ", " + format_number(here.wrench.moment, 6) + ") " + here.text() +
-                   " has a component that is no finite number >= 0");
+                   " has a component that is not a finite number >= 0");
     }
     places.push_back(here);
   }

@@ -84,7 +84,7 @@ class Call:
                 raise ValueError(f"{name}: got an empty list, expected one or more")
             for one in several:
                 if not isinstance(one, (str, Law)):
-                    raise ValueError(f"{name}: got {one!r}, expected a text" + " or a Law" * (name == "law"))
+                    raise ValueError(f"{name}: got {one!r}, expected a str" + " or a Law" * (name == "law"))
                 self.words += [word, self.law(one)]
         elif name in ("columns", "units") and isinstance(value, Mapping):
             self.words += [word, ",".join(f"{key}={text}" for key, text in value.items())]
@@ -122,7 +122,7 @@ class Call:
 
 def _in_python(message: str) -> str:
     """A message of the command with the keywords of Python in place of its options."""
-    if "to type" in message:  # on the command line
+    if message.startswith("note: for "):  # options of the command line
         return message
     name = lambda option: option[1].replace("-", "_")
     return re.sub(r"(?<![\w-])--(?!help)([a-z][a-z-]*)", name, re.sub(r" \(expected usage: [^()]*\)", "", message))

@@ -73,7 +73,7 @@ def validate(
     load: float | None = None,
     radius: float | None = None,
 ) -> Columns:
-    """Errors of ellipse, box and diamond against the exact curve of one, several or all laws; or of round models of patches; or of `points`.
+    """Errors of ellipse, box, diamond and Padé model against the exact curve of one, several or all laws; or of round models of patches; or of `points`.
 
     Columns: law, model, parameter, max_error, rms_error, max_over_estimate, max_under_estimate, max_cor_error; errors as fractions.
 
@@ -121,7 +121,7 @@ class Fit(Columns):
 
     `covariance` is the matrix of the parameters' covariances, in the order of the rows, in the product of their units: None without
     data, for a curve has no noise, and for `friction`. `note` is the fitted model with its assumptions; `notes` are remarks on the fit
-    and how to type its result.
+    and the options that use its result.
     """
 
     covariance: NDArray[np.float64] | None

@@ -107,7 +107,7 @@ SLIPS = {"load": [1.0, 1, 2, 2], "force": [0.6, 0.02, 1.21, 0.03], "moment": [0,
 
 @pytest.mark.parametrize("call, told", [
     (lambda: lc.Table("hertz", tolerance="1e-8"), "tolerance: got '1e-8', expected a number"),
-    (lambda: lc.Table(3), "law: got 3, expected a text"), (lambda: lc.Table(), "no 'law', expected law, tolerance, preferred_bytes"), (lambda: lc.Law(2), "text: got 2"),
+    (lambda: lc.Table(3), "law: got 3, expected a str"), (lambda: lc.Table(), "no 'law', expected law, tolerance, preferred_bytes"), (lambda: lc.Law(2), "text: got 2"),
     (lambda: TABLE.load_to_hold(1, 2e-3, radius_law="constant:a=0.005"), "no 'mu'"), (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6), "radius_law, mu_r: got none"),
     (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6, mu_r=0.002, radius_law="constant:a=0.005"), "radius_law, mu_r: got both"),
     (lambda: TABLE.load_to_hold(1, 2e-3, mu=[0.6, -1], mu_r=0.002), r"mu\[1\]: got -1"), (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6, radius_law=5), "radius_law: got 5"),
@@ -132,7 +132,7 @@ def test_wrong_calls_are_told_by_name(call, told):
 
 
 def wrong_call(function, *values, **keywords):
-    """What a wrong call is told, in one line."""
+    """The error of a wrong call, in one line."""
     with pytest.raises((ValueError, TypeError)) as error:
         function(*values, **keywords)
     assert "incompatible function arguments" not in str(error.value) and "\n" not in str(error.value)

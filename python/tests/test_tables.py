@@ -56,7 +56,7 @@ def test_what_a_fit_says(data, capfd):
     i, j, k = (list(robust["parameter"]).index(name) for name in ("mu", "mu_r", "ratio"))
     relative = robust.covariance / np.outer(robust["value"], robust["value"])
     assert relative[k, k] == pytest.approx(relative[i, i] + relative[j, j] - 2 * relative[i, j], rel=1e-9)
-    assert any(note.startswith("to type into replay:") for note in fitted.notes)
+    assert any(note.startswith("for replay:") for note in fitted.notes)
     with pytest.warns(UserWarning, match="are the data in metres?") as caught:
         lc.fit("ratio", {**slips, "moment": 1000 * slips["moment"]})
     assert caught[0].filename == __file__
@@ -160,7 +160,7 @@ def test_names_of_files_that_are_no_utf_8(tmp_path, data):
     assert set(lc.validate(law)["law"]) == set(lc.validate(law.name)["law"]) == {law.name}
     lc.Table(law, 1e-3).save(folder / "t.csv")
     assert lc.Table.load(os.fsencode(folder / "t.csv")).law_name == law.name
-    with pytest.raises(ValueError, match="^path: the law's name is no UTF-8"):
+    with pytest.raises(ValueError, match="^path: the law's name is not UTF-8"):
         lc.Table(law, 1e-3).save(folder / "t.json")
     assert not (folder / "t.json").exists()
     slips = folder / "slips.csv"

@@ -6,7 +6,7 @@
 //     finger_bench [REGEX]   the workloads with matching names (default all), as CSV
 //
 // mean_ns: processor time of this process for a step (batches: a contact). worst_ns: a motion is timed in stretches of 128 steps (grasp:
-// 32); this is the mean step of the slowest stretch, where each stretch counts with its fastest pass, so that interrupts do not count.
+// 32); this is the mean step of the slowest stretch, where each stretch counts with its fastest pass, so that interrupts are ignored.
 // Empty if all stretches are alike. result: the mean of the steps' return values, to check that two commits do the same work.
 #include <adaptor.hpp>  // of the commit that is measured
 #include "motion.hpp"

@@ -45,7 +45,7 @@ LAW_DASHES = {
 }
 # Verdana's letters are as wide as DejaVu's, which matplotlib measures; most others are narrower.
 FONTS = "DejaVu Sans, Verdana, sans-serif"
-# For lines that are no laws', in the order of their colours.
+# For lines that are not laws', in the order of their colours.
 DASHES = ((), (5, 1.5), (1.5, 1.2), (5, 1.5, 1.2, 1.5), (8, 2, 3, 2))
 ELLIPSE = {"color": INK, "linewidth": 1.2, "dashes": (5, 3)}
 MARGIN = 0.06  # inches around a figure

@@ -299,7 +299,7 @@ def until_regripped(rows):
 
 
 def copy(files, name, source):
-    """NAME.csv as it stands in data/."""
+    """NAME.csv as it is in data/."""
     write_whole(files.folder / f"{name}.csv", (DATA / source).read_bytes())
 
 

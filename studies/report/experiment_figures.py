@@ -237,47 +237,46 @@ def section(data):
     first = {(row["material"], row["case"]): row["load"] for row in reversed(data["pivot_materials"])}
     margins = sorted(first[row["material"], "coupled"] / holding_load(row, offset) for row in data["table_1"])
     return ("A block between two fingers", [
-        ("pivot", f"""This is the paper’s experiment (its Figs. 7 to 11): cases A and B, and the exact curve. The grip on a block of
-sandpaper opens slowly, without dampers. The centre of mass (blue path) lies beside the grip (dot). With coupled limits the block
-turns before it is lost, by {turned['coupled']:.1f}° and {turned['exact']:.1f}° when it has slid {lost} past the grip (dots).
-With uncoupled limits it turns by {abs(turned['uncoupled']):.1f}°. From top to bottom: poses (Figs. 7, 10); centre of mass, angle
-and load over time (Figs. 8, 11); the centre of rotation of the slip; and the [r, ρ] plane of one finger (Fig. 9), with one step
-magnified, where the goal has moved on (diamond) and step b moves the god-object to the p-curve of its load. The friction, the
-cases and the level start are the paper’s. The block ({1e3 * BLOCK_LENGTH:.0f} × {1e3 * BLOCK_HEIGHT:.0f} mm, 0.1 kg,
-{offset:.0f} mm off), the springs and the time step are ours.""",
-         "Use coupled limits, or the object slides out level. The ellipse is good enough for this."),
-        ("pivot_operator", f"""An operator eases the grip until the block turns, and grips again at 30°. He is slow (0.1 rad/s), and
-the fingers are as damped as a hand: 86 N s/m, a damping ratio of 1. The digits of young adults mostly have more (Park et al.,
-Clinical Biomechanics 29:129–137, 2014). He stops the block at {math.degrees(kept['coupled']['angle']):.1f}° (A) and
-{math.degrees(kept['exact']['angle']):.1f}° (exact). In case B he keeps it, {1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower and
+        ("pivot", f"""The paper’s experiment (Figs. 7 to 11): cases A and B, and the exact curve. The grip on a sandpaper block loosens
+slowly, without dampers. The centre of mass (blue path) lies beside the grip (dot). With coupled limits the block pivots before it is
+lost: by {turned['coupled']:.1f}° and {turned['exact']:.1f}° once it has slid {lost} past the grip (dots). With uncoupled limits it
+turns by {abs(turned['uncoupled']):.1f}°. Top to bottom: poses (Figs. 7, 10); centre of mass, angle and load over time (Figs. 8, 11);
+the slip’s centre of rotation; one finger’s [r, ρ] plane (Fig. 9) with one step magnified: the goal has moved on (diamond), and step b
+moves the god-object to the p-curve of its load. Friction, cases and level start are the paper’s; block
+({1e3 * BLOCK_LENGTH:.0f} × {1e3 * BLOCK_HEIGHT:.0f} mm, 0.1 kg, {offset:.0f} mm off-centre), springs and time step are our choice.""",
+         "Use coupled limits, or the object slides out level. For this, the ellipse is good enough."),
+        ("pivot_operator", f"""A simulated operator loosens the grip until the block turns, and tightens it at 30°. The motion is slow (0.1 rad/s)
+and the fingers are damped like a hand: 86 N s/m, a damping ratio of 1. Digits of young adults mostly have more (Park et al.,
+Clinical Biomechanics 29:129–137, 2014). The block stops at {math.degrees(kept['coupled']['angle']):.1f}° (A) and
+{math.degrees(kept['exact']['angle']):.1f}° (exact). In case B it is caught {1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower, still
 level.""",
-         "Use coupled limits where a looser grip is to turn an object."),
-        ("pivot_offsets", f"""This is what the same operator achieves in the three materials, over the offset of the centre of mass:
-the angle, the slip, and how often the block turned back by more than 0.1°. With coupled limits it turned back up to
+         "Use coupled limits if loosening the grip should turn an object."),
+        ("pivot_offsets", f"""The same operator with three materials, against the offset of the centre of mass: the angle, the slip, and how
+often the block turned back by more than 0.1°. With coupled limits it turned back up to
 {max(row['turned_back'] for row in coupled):.0f} times (from 5 mm on:
 {max(row['turned_back'] for row in coupled if row['offset'] > 0.0045):.0f}). In case B it does not turn below
-μ<sub>r</sub>/μ<sub>l</sub> (dashed; {edge:.2f} mm on sandpaper). At 6.5 mm it ends at {math.degrees(between['angle']):.0f}° and
-has slid {1e3 * between['grip_slip']:.1f} mm. At 9 mm it ends at {math.degrees(far['angle']):.0f}° and has slid
+μ<sub>r</sub>/μ<sub>l</sub> (dashed; {edge:.2f} mm on sandpaper). At 6.5 mm it stops at {math.degrees(between['angle']):.0f}° after
+sliding {1e3 * between['grip_slip']:.1f} mm; at 9 mm, at {math.degrees(far['angle']):.0f}° after
 {1e3 * far['grip_slip']:.1f} mm, where case A slides {1e3 * reached['coupled', 0.009]['grip_slip']:.1f} mm.""",
-         "Expect uncoupled limits to fail at small offsets, not always."),
-        ("pivot_stiffness", f"""The paper does not give the stiffness of the spring that turns. With the radial projection the block
-turns by {scan['coupled'][softest]:.0f}° to {scan['coupled'][stiff]:.1f}° (ratios {softest:g} to {stiff:g}), with the closest point
+         "Expect uncoupled limits to fail at small offsets, not everywhere."),
+        ("pivot_stiffness", f"""The paper does not state the twist stiffness. With the radial projection the block turns
+by {scan['coupled'][softest]:.0f}° to {scan['coupled'][stiff]:.1f}° (ratios {softest:g} to {stiff:g}), with the closest point
 by {min(scan['exact'].values()):.0f}° to {max(scan['exact'].values()):.0f}°.""",
          f"Use the closest point, or a ratio near {soft}."),
-        ("pivot_map", f"""The map has the angle of the block when it has slid {lost} past the grip and is lost, over the offset of its
-centre of mass and the rate at which the grip opens. Both are ours. With uncoupled limits the block turns only where the offset
+        ("pivot_map", f"""The block’s angle when it has slid {lost} past the grip and is lost, against the offset of its centre of mass and
+how fast the grip loosens (neither is in the paper). With uncoupled limits the block turns only if the offset
 exceeds μ<sub>r</sub>/μ<sub>l</sub> = {edge:.2f} mm (triangles): at {level:g} mm it slides out level, at {above:g} mm it turns by up
 to {farthest:.0f}°.""",
-         "State the offset when you compare such experiments."),
-        ("table_1", f"""Left: by Table 1 the ratio μ<sub>r</sub>/μ<sub>l</sub> hardly depends on the material. Bars are means ±
-standard deviations; the table does not say of how many measurements, n. The weighted mean is {1e3 * mean:.2f} mm. That the bars
-overlap neither proves nor refutes one ratio: χ² = {chi_squared:.2f} n with 2 degrees of freedom, so p is below 0.05 from
-n = {math.ceil(refuted)} on. Right: the block between fingers of each material, with the ratio of that material. The grip opens from
-{margins[0]:.2f} to {margins[-1]:.2f} times the load that an ellipse needs to hold the block.""",
-         "Take one measured ratio as a start, for any material of the object."),
-        ("pinch", f"""Two soft fingers carry a block, and turn it by {turn['soft']:.1f}° of
-{turn_of(data['pinch_trace'][-1], 'q'):.1f}°: force closure. Without a friction moment they turn it by {abs(turn['point']):.1f}°.""",
-         "Use a soft contact where two fingers must turn an object."),
+         "Report offset and rate when you compare such experiments."),
+        ("table_1", f"""Left: in Table 1 the ratio μ<sub>r</sub>/μ<sub>l</sub> barely depends on the material. Bars are means ± standard
+deviations of n measurements; the table does not give n. The weighted mean is {1e3 * mean:.2f} mm. Overlapping bars neither prove nor
+refute a common ratio: χ² = {chi_squared:.2f} n with 2 degrees of freedom, so p < 0.05 from n = {math.ceil(refuted)} on. Right: the
+block between fingers of each material, with that material’s ratio. The grip starts at {margins[0]:.2f} to {margins[-1]:.2f} times
+the load that the ellipse needs to hold the block.""",
+         "Start with one measured ratio for any object material."),
+        ("pinch", f"""Two soft fingers carry a block and turn it by {turn['soft']:.1f}° of
+{turn_of(data['pinch_trace'][-1], 'q'):.1f}°: force closure. Without a friction moment it turns by {abs(turn['point']):.1f}°.""",
+         "Use soft contacts if two fingers must turn an object."),
     ], "")
 
 

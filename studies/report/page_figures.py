@@ -73,7 +73,7 @@ def cor_in_engine(limitcurve):
     m0 = column(limitcurve, "moment", "eval", "--law", "hertz", "--c", "0")[0]
     figure, axes = plt.subplots(figsize=(6.4, 3.2), layout="constrained")
     axes.plot(levers, [100 * (m0**2 / lever / cor - 1) for lever, cor in zip(levers, cors)], color=VERMILION, label="ellipse, by its equation")
-    for numbers, colour, marker, label in (("typed", VERMILION, "o", "as typed"), ("touching", BLUE, "s", "that follow the slip")):
+    for numbers, colour, marker, label in (("typed", VERMILION, "o", "as entered"), ("touching", BLUE, "s", "that follow the slip")):
         found = pushed.where(numbers=numbers)
         axes.plot(found.column("lever"), found.column("error", 100), marker, color=colour, markersize=5, label=f"MuJoCo {found[0]['version']}, numbers {label}")
     axes.set(title="Error of the centre of rotation [%]", xlabel="lever of the friction over the contact radius, M/(F a)", xscale="log", xlim=(0.04, 3), ylim=(-40, 80))

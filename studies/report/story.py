@@ -49,14 +49,14 @@ def numbers_to_remember(data):
     look_up = data["work_precision_wrench"].where(law="hertz", family="table", parameter=1e-8)[0]["mean_ns"]
     step = data["work_precision_step"].where(boundary="table 1e-8", projection="closest-point")[0]["many_warm_ns"]
     return [
-        (largest, f"The usual ellipse overestimates what a contact bears by up to {largest} ({worst['law']}; for {best['law']} "
-                  f"by {least}). Its centre of rotation is off by up to {percent(worst_cor_error(data), 0)}."),
+        (largest, f"The usual ellipse overestimates friction by up to {largest} ({worst['law']}; {best['law']}: {least}), and misplaces "
+                  f"the centre of rotation by up to {percent(worst_cor_error(data), 0)}."),
         (percent(radial, 0), f"If a finger slides straight on and turns, v/ω = a, the radial projection misses the friction by up to "
                              f"{percent(radial, 0)} of its limits (stiffness ratios κ from {min(ratios):.2g} to {max(ratios):.2g}); the "
                              f"closest point misses it by {closest:.0e}."),
-        (f"{look_up:.0f} ns", f"A look-up takes {look_up:.0f} ns in a table of {table['bytes']:.0f} bytes, whose error is at most "
-                              f"{short(float(f'{error:.1e}'))}. A step of a finger on it takes {step:.0f} ns. A finer table takes "
-                              "hardly longer."),
+        (f"{look_up:.0f} ns", f"A look-up takes {look_up:.0f} ns in a table of {table['bytes']:.0f} bytes with an error of at most "
+                              f"{short(float(f'{error:.1e}'))}; a finger step on it takes {step:.0f} ns. A finer table costs almost "
+                              "no extra time."),
     ]
 
 
@@ -97,7 +97,7 @@ def laws_table(data):
         ellipse = data["validate"].where(law=law["law"], model="ellipse")[0]
         ratios = cor_ratios(data["ellipse_error"].where(law=law["law"]))
         rows.append((law["law"], f"{law['moment_ratio']:.4g}", percent(ellipse["max_over_estimate"]), f"{min(ratios):.2f} … {max(ratios):.2f}"))
-    return facts_table(("law", "moment ratio m<sub>0</sub>", "ellipse too strong by", "centre of rotation, ellipse / true"), rows)
+    return facts_table(("law", "moment ratio m<sub>0</sub>", "ellipse overestimates by", "centre of rotation, ellipse / true"), rows)
 
 
 def unit_of(row):
@@ -109,7 +109,7 @@ def engines_table(data):
     first = data["translate"][0]
     rows = [(html.escape(row["engine"]), html.escape(row["parameter"]), f"{row['value']:.6g}" if isinstance(row["value"], float) else row["value"], unit_of(row),
              html.escape(row["model"]), percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
-    return facts_table(("engine", "parameter", "value", "unit", "its limit curve", "error that remains"), rows)
+    return facts_table(("engine", "parameter", "value", "unit", "limit curve", "remaining error"), rows)
 
 
 def error_of(row):
@@ -146,45 +146,42 @@ def sections(data):
     return [
         pictures.section(),
         ("One curve for each pressure law", [
-            ("limit_curves", """These are the limit curves of the paper’s Fig. 3, for the laws of this library. A pressure law
-says how the load spreads over the contact. Divided by its own limits, the curve of every law lies <em>inside</em> the dashed
-ellipse. The laws differ little in shape; they differ much in the moment that they bear.""",
-             "If you do not know the law, take hertz, with the friction moment that you measured."),
+            ("limit_curves", """The paper’s Fig. 3 for the pressure laws of this library. A pressure law describes how the load spreads over
+the contact. Scaled to its own limits, every law’s curve lies <em>inside</em> the dashed ellipse. The shapes are much alike; the
+largest moments differ widely.""",
+             "If you do not know the law, use hertz with your measured friction moment."),
         ], laws_table(data)),
         ("Loads and centres of rotation", [
-            ("load_curves", """These are the two families of the paper’s Fig. 4. A p-curve (blue) is the limit curve of one load.
-A c-curve (orange) has force and moment at one centre of rotation, for all loads. It is straight only if the contact does not
-grow with the load.""",
-             "Give the finger its a(P). Do not scale one curve along straight lines."),
+            ("load_curves", """The two families of the paper’s Fig. 4. A p-curve (blue) is the limit curve at one load. A c-curve (orange)
+shows force and moment about one centre of rotation as the load grows. It is straight only if the contact radius is constant.""",
+             "Give the finger its a(P); do not just scale one curve."),
         ], ""),
         ("How wrong the ellipse is", [
-            ("ellipse_error", f"""Left: the ellipse overestimates what a contact bears by {percent(over[0], 1)} to
-{percent(over[-1], 1)} (worst: {worst}). Right: its centre of rotation is {min(ratios):.2f} to {max(ratios):.2f} times as far
-away as the true one.""",
-             "Use an ellipse for rough forces, not for the motion after slip."),
-            ("models", f"""Each dot is the largest error of a model, as a fraction of what the contact bears. The ellipse through
-the limits is off by {percent(over[0], 1)} to {percent(over[-1], 1)}. A box, whose limits of force and moment are uncoupled, is
-too strong by up to {percent(max(boxes), 0)}.""",
-             "Use a table. You choose its error."),
+            ("ellipse_error", f"""Left: the ellipse overestimates friction by {percent(over[0], 1)} to {percent(over[-1], 1)} (worst: {worst}).
+Right: it puts the centre of rotation at {min(ratios):.2f} to {max(ratios):.2f} times its true distance.""",
+             "Use an ellipse for rough forces, not to predict motion after slip."),
+            ("models", f"""Each dot is a model’s largest error, as a fraction of the true friction. The ellipse through the limits is off
+by {percent(over[0], 1)} to {percent(over[-1], 1)}. A box, which limits force and moment separately, overestimates by up to
+{percent(max(boxes), 0)}.""",
+             "Use a table: you choose the error."),
         ], ""),
         ("Look-up tables", [
-            ("tables", f"""Left: down to a tolerance of {short(finest)} no table takes more than {largest:.0f} bytes. Right: a table
-of {short(tolerance)} less the exact curve, at {places} slips. The error stays within the tolerance (grey).""",
-             "Take a tolerance of 1e-8, and stop thinking about the curve."),
-        ], "<p>These are tables for the materials of the paper’s Table 1. The radius follows from the measured ratio "
-           "μ<sub>r</sub>/μ and the law. It is larger than a fingertip’s: where μ<sub>r</sub> was measured, use μ<sub>r</sub> "
-           "itself.</p>" + materials_table(data)),
+            ("tables", f"""Left: down to a tolerance of {short(finest)}, no table exceeds {largest:.0f} bytes. Right: the error of a
+{short(tolerance)} table at {places} slips. It stays within the tolerance (grey).""",
+             "Use a tolerance of 1e-8 and forget about the curve."),
+        ], "<p>Tables for the materials of the paper’s Table 1. The radius is inferred from the measured ratio "
+           "μ<sub>r</sub>/μ and the law, and is larger than a fingertip’s. If you have measured μ<sub>r</sub>, use it "
+           "directly.</p>" + materials_table(data)),
         ("A god-object that obeys the curve", [
-            ("god_object", """A god-object (proxy) is where the finger would be if it could not enter the surface. Springs pull it
-to its goal: r is how far they are stretched, ρ how far they are turned. The planes are those of the paper’s Figs. 5 and 9, for
-three scripted motions, with the limit curves of several loads. A drag stays on the axis of r, a twist on that of ρ. In the third
-motion the finger slides and turns while the load changes.""",
-             "Look at combined motions. Only there do the models differ."),
-            ("repositioning", """These are single steps of that slip, as in the paper’s Fig. 5. The goal moves on, and leaves the
-proxy outside the curve of the present load (diamonds). The step moves it back to the curve (dots), along the ray to the origin
-or to the closest point.""",
-             "Use the closest point, which is the default."),
-            ("felt", f"""This is what the user feels. Shaded: the finger slips, by the exact curve (law {html.escape(run['law'])},
+            ("god_object", """The god-object (proxy) is where the finger would be if it could not enter the surface. Springs pull it
+towards its goal: r is their stretch, ρ their twist. Three scripted motions in the planes of the paper’s Figs. 5 and 9, with the
+limit curves of several loads. A pure drag stays on the r axis, a pure twist on the ρ axis. In the third motion the finger slides
+and turns while the load changes.""",
+             "Compare models on combined motions. Only there do they differ."),
+            ("repositioning", """Single steps of that slip, as in the paper’s Fig. 5. The goal moves on and leaves the proxy outside the current
+load’s curve (diamonds). The step moves it back (dots): along the ray to the origin, or to the closest point.""",
+             "Use the closest point, the default."),
+            ("felt", f"""What the user feels. Shaded: the finger slips, according to the exact curve (law {html.escape(run['law'])},
 μ = {run['mu']:g}, k<sub>l</sub> = {run['stiffness']:g} N/m, k<sub>r</sub> = {run['twist_stiffness']:g} N m/rad).""",
              "Use a table and the closest point where a finger slides and turns at once."),
         ], ""),
@@ -196,30 +193,30 @@ radial projection the ratio of the springs decides, whatever the curve. About a 
         ], ""),
         experiment_figures.section(data),
         ("From measurements to parameters", [
-            ("fits", """Left: slips from a synthetic sensor log with gross outliers, and the limit curve that a robust loss fits
-to them. The lens shows the 95 % band of the curve, which is hardly wider than the line. Right: the residuals. Of a right model
-95 % of them lie in the grey band.""",
+            ("fits", """Left: slips from a synthetic sensor log with gross outliers, and the limit curve fitted with a robust loss. The
+lens shows the curve’s 95 % band, barely wider than the line. Right: the residuals. If the model is right, 95 % of them lie in the
+grey band.""",
              "Add <code>--loss cauchy</code> if some rows may not be slips."),
         ], fits_table(data)),
         ("Contacts that are not round", [
-            ("patches", f"""Left: others pushed a plate on three known points over hardboard and plywood. The measured power over
-that of a model is the friction coefficient. Of a right model it is the same at any share of rotation. Its drift is {drifts[0]}
-for three points (blue), and {drifts[1]} for the usual ellipsoid (orange). Nothing is fitted. Right: the best disc is off by
-{percent(square['max_error'], 1)} for a square, and by {percent(long['max_error'], 0)} for a rectangle 5 : 1.""",
+            ("patches", f"""Left: published pushes of a plate on three known points over hardboard and plywood. Measured power divided by a
+model’s power is the friction coefficient; for a correct model it does not depend on the share of rotation. It drifts by {drifts[0]}
+for three points (blue) and {drifts[1]} for the usual ellipsoid (orange). Nothing is fitted. Right: the best disc is off by
+{percent(square['max_error'], 1)} for a square and {percent(long['max_error'], 0)} for a 5 : 1 rectangle.""",
              "Use the patch itself, or ask <code>limitcurve choose --patch</code>."),
         ], patch_fits_table(data)),
         ("Speed against accuracy", [
-            ("work_precision", """Each dot is one way to compute a friction wrench, on one machine. Its error is counted as that
-of a table’s tolerance is: in units of μP and μPa, not of the limits.""",
-             "Use a table of 1e-8 in a loop, and <code>evaluate</code> as a reference."),
+            ("work_precision", """Each dot is one way to compute a friction wrench, on one machine. Errors are in units of μP and μPa, like a
+table’s tolerance, not fractions of the limits.""",
+             "Use a 1e-8 table in a loop, <code>evaluate</code> as a reference."),
         ], ""),
         ("The same finger in a physics engine", [
-            ("engines", """A finger was dragged in the engines themselves. MuJoCo’s elliptic cone is the ellipse; its default
-pyramid is the diamond. ODE and Bullet limit force and moment each on its own, so that nearly all their wrenches lie in the corner
-of the box. The limits of pure force and pure moment are right, in the pyramid for slips of 30 mm/s and more.""",
-             "Use MuJoCo’s elliptic cone, if you can choose."),
+            ("engines", """We dragged a finger in the engines themselves. MuJoCo’s elliptic cone is the ellipse; its default pyramid is the
+diamond. ODE and Bullet limit force and moment separately, so nearly all their wrenches lie in the box’s corner. Pure force and pure
+moment are right (in the pyramid, for slips of at least 30 mm/s).""",
+             "Use MuJoCo’s elliptic cone if you can."),
         ],
-         f"<p>This is what to type for a finger of the {html.escape(engine['law'])} law, a(P) by {html.escape(engine['radius_law'])}, "
+         f"<p>Coefficients for a finger with {html.escape(engine['law'])} pressure, a(P) by {html.escape(engine['radius_law'])}, "
          f"μ = {engine['mu']:g}, at {engine['load']:g} N. <code>limitcurve translate</code> has formulas, and rules for two "
          "bodies.</p>" + engines_table(data)),
     ]

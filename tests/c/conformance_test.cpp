@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Questions that every interface answers alike (data/conformance.csv, from a witness that is not the library): C++ exact, in double and in
+// Questions that every interface answers alike (data/conformance.csv, from a reference that is not the library): C++ exact, in double and in
 // float, and C. tests/cli/test_conformance.py asks the command and the exported header, python/tests/test_conformance.py the rest.
 #include "c/limitcurve.h"
 

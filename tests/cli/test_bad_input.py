@@ -110,7 +110,7 @@ class Outputs(CommandLineTest):
 
 
 class OtherFiles(CommandLineTest):
-    """What is no CSV text with commas is called what it is, by every command that reads columns."""
+    """A file that is not CSV text with commas is called what it is, by every command that reads columns."""
 
     COLUMNS = {"ratio": "load,force,moment", "law": "load,force,moment", "load": "load,radius", "trace": "time,x,y,z,twist",
                "twists": "vx,vy,omega", "profile": "radius,pressure", "radii": "load,radius", "points": "x,y,load", "image": None}

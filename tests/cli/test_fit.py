@@ -203,7 +203,7 @@ class Fit(CommandLineTest):
         for call in (["law", "--fit-gamma"], ["law", "--law", "uniform", "--gamma", "0.257"], ["ellipse", "--fit-gamma"]):
             said = self.fitted(*call, "--data", data)[1]
             self.assertRegex(said.splitlines()[-1], r"\.mu = 0\.\d+, \.mu_r = 0\.\d+, \.gamma = 0\.2")
-            typed = said.splitlines()[-1].split("to type into replay: ")[1].split(";")[0].split()
+            typed = said.splitlines()[-1].split("for replay: ")[1].split(";")[0].split()
             end = rows("replay", "--trace", trace, *typed, "--stiffness", "1000", "--twist-stiffness", "0.04")[-1]
             # mu m0 P a(P) under 4 N; approximations have their own largest moment.
             self.assert_close(end["moment"], -0.7 * 2 / 3 * 4 * 0.00435 * 4 ** 0.257, 5e-6 if "law" in call else 0.05)
@@ -212,14 +212,14 @@ class Fit(CommandLineTest):
         for call, slips in ((["ellipse"], DATA / "fit" / "slips.csv"), (["law", "--law", "uniform", "--gamma", "0.257"], data),
                            (["law", "--law", "uniform", "--fit-gamma", "--columns", "load=F'z", "--units", "force=N"], self.renamed(data, {"load": "F'z"}, {})),
                            (["law", "--law", f"samples:{own}", "--gamma", "0.257"], self.file("it's a $file.csv", data.read_text()))):
-            line, = (line for line in self.fitted(*call, "--data", slips)[1].splitlines() if "to type, for" in line)
+            line, = (line for line in self.fitted(*call, "--data", slips)[1].splitlines() if "for the load that" in line)
             command, *typed = shlex.split(line[line.index("limitcurve hold"):])
             margins = [row["margin"] for row in rows(*typed)]
             self.assertEqual(command, "limitcurve")
             self.assertLess(sum(margins) / len(margins), 0.1, call)
-        self.assertIn("nothing to type: the data refuse this fit; add --fit-gamma\n", self.fitted("law", "--law", "uniform", "--data", data)[1])
+        self.assertIn("no parameters suggested: the data reject this model; add --fit-gamma\n", self.fitted("law", "--law", "uniform", "--data", data)[1])
         radii = self.file("radii.csv", "load,radius\n1,0.002\n2,0.0023\n5,0.0028\n")
-        typed = self.fitted("load", "--data", radii)[1].splitlines()[-1].split("to type into replay: ")[1].split(";")[0].split()
+        typed = self.fitted("load", "--data", radii)[1].splitlines()[-1].split("for replay: ")[1].split(";")[0].split()
         self.assertEqual(rows("replay", "--trace", trace, "--law", "hertz", "--mu", "0.5", *typed, "--stiffness", "1000", "--twist-stiffness", "0.04")[-1]["state"], "slip")
 
     def test_residuals_are_distances_in_standard_deviations(self):

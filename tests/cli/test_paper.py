@@ -165,7 +165,7 @@ class Corrections(CommandLineTest):
 
     def test_step_c_and_the_load_are_one_spring(self):
         # Round a loop on a ball, where x_g = R n: k_l (x_p - x_g) of step c and the load k_l d are
-        # k_l (x_p - x_h), which is ours, and no loop gains energy. The tangential part of x_p - x_g
+        # k_l (x_p - x_h), our choice, and no loop gains energy. The tangential part of x_p - x_g
         # alone would gain k_l s^2 (change of depth)/(2 R).
         ball, stiffness, turn, deep, shallow = 0.05, 1000, 0.1, 0.0025, 0.001
         corners = [(0, deep), (turn, deep), (turn, shallow), (0, shallow), (0, deep)]

@@ -25,7 +25,7 @@ def reversals(found, least=0.1):
 
 
 class Claims(CommandLineTest):
-    """What docs/paper.md says of claims of the paper that are no equation."""
+    """What docs/paper.md says of claims of the paper that are not equations."""
 
     def pivot(self, case, *options):
         """Angle [deg], slip [mm] and reversals at the end, and the rows."""

@@ -110,7 +110,7 @@ class Pivot(CommandLineTest):
                 held = [row["angle"] for row in found if row["state"] != "free"]
                 self.assertAlmostEqual(math.degrees(max(held)), angle, delta=0.5 if angle > 2 else 0.05, msg=f"{case} {times}")
 
-    # Whether the block turns in case B is decided by the offset, which is ours: mu_r/mu_l is 6.05 mm.
+    # Whether the block turns in case B is decided by the offset, our choice: mu_r/mu_l is 6.05 mm.
     def test_the_offset_decides_case_b(self):
         for offset, least, most in [("0.005", 0, 1), ("0.006", 0, 1), ("0.007", 30, 45)]:
             found = rows("pivot", "--case", "uncoupled", "--offset", offset, "--release", "from=1,to=0,over=10")

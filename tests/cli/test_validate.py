@@ -51,7 +51,7 @@ class Validate(CommandLineTest):
         laws = [row["law"] for row in rows("laws")]
         found = rows("validate")
         self.assertEqual(list(dict.fromkeys(row["law"] for row in found)), laws)
-        self.assertGreaterEqual({row["model"] for row in found}, {"ellipse", "ellipse-least-squares", "ellipse-inner", "box", "diamond"})
+        self.assertGreaterEqual({row["model"] for row in found}, {"ellipse", "ellipse-least-squares", "ellipse-inner", "box", "diamond", "pade"})
         self.assertEqual({(row["model"], row["parameter"]) for row in found if row["model"] in ("ellipse", "box")}, {("ellipse", 1), ("box", math.inf)})
 
     def test_laws_may_be_repeated(self):
@@ -187,7 +187,7 @@ class Choose(CommandLineTest):
                         finger = ["--law", law, "--radius-law", radius, "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
                         done = run("choose", "--scene", *finger, "--tolerance", tolerance, "--sample-time", "0.02", *rates)
                         line = next(line for line in done.stderr.splitlines() if line.startswith("limitcurve: replay it with "))
-                        options = line.removeprefix("limitcurve: replay it with ").removesuffix(" in place of --radius-law").split()
+                        options = line.removeprefix("limitcurve: replay it with ").removesuffix(" instead of --radius-law").split()
                         best = next(row for row in done.stdout.splitlines() if row.endswith(",true")).split(",")[0]
                         follows = best.endswith("/a(P)") or best == "no torsion" or radius.startswith("constant")
                         self.assertEqual("--radius-law" not in options, follows, (best, line))

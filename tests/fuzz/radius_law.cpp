@@ -9,7 +9,7 @@ using namespace limitcurve;
 static const fuzz::Target radius_law_target("radius_law", [](const std::uint8_t* data, std::size_t size) {
   std::optional<RadiusLaw> law;
   if (fuzz::complaint_of([&] { law = RadiusLaw::parse(fuzz::as_text(data, size)); })) return;
-  fuzz::require(law->coefficient() > 0.0 && fuzz::is_finite(law->coefficient()), "a coefficient that is no radius");
+  fuzz::require(law->coefficient() > 0.0 && fuzz::is_finite(law->coefficient()), "a coefficient that is not a radius");
   fuzz::require(law->exponent() >= 0.0 && law->exponent() <= 1.0, "an exponent out of range");
   fuzz::require(law->radius(1.0) == law->coefficient(), "the radius at 1 N is not the coefficient");
   double last = 0.0;

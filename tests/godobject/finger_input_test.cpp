@@ -129,7 +129,7 @@ TEST(SoftFinger, NamesTheReasonOfAFault) {
   expect(finger.mark_invalid(Fault::body), Fault::body);
 }
 
-// One bad sample does not change the force; a device that stops sending positions must not keep its force for ever.
+// One bad sample does not change the force; a device that stops sending positions must not keep its force forever.
 TEST(SoftFinger, HoldsOnceThenLetsGoSoftly) {
   FingerParameters with = parameters();
   with.fault_decay = 0.5;

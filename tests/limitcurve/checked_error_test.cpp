@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables of laws of all kinds, with parameters from their whole range and tolerances that are no powers of ten: none is off by more than it
+// Tables of laws of all kinds, with parameters from their whole range and tolerances that are not powers of ten: none is off by more than it
 // certifies, nor by more than its tolerance.
 #include "limitcurve/laws.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"

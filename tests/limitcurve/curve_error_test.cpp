@@ -168,6 +168,68 @@ TEST(CurveError, OfTheDiamondIsAllOnTheWeakSide) {
   EXPECT_EQ(error.max_cor_error, inf);
 }
 
+/// Zhuravlev's two numbers for Hertz, written out; the model's twist on the ray of an exact wrench by bisection, the exact curve by the
+/// closed form for c ≤ a and as the mean over points of the disc beyond.
+TEST(CurveError, OfThePadeModelIsThatOfItsOwnTwist) {
+  const double m0 = 3.0 * std::numbers::pi / 16.0;
+  const auto model = [&](double s) {
+    return UnitWrench{s / (s + 8.0 / (3.0 * std::numbers::pi)), m0 / (1.0 + 15.0 * std::numbers::pi / 16.0 * s)};
+  };
+  const auto exact = [&](double s) {
+    if (s <= 1.0) {
+      return UnitWrench{3.0 * std::numbers::pi / 8.0 * s * (1.0 - 0.25 * s * s), m0 * (1.0 - s * s + 0.375 * s * s * s * s)};
+    }
+    UnitWrench sum{0.0, 0.0};
+    constexpr int rings = 100;
+    constexpr int sectors = 100;
+    double weights = 0.0;
+    for (int i = 0; i < rings; ++i) {
+      // p ρ dρ ∝ t² dt with ρ² = 1 − t².
+      const double t = (i + 0.5) / rings;
+      for (int j = 0; j < sectors; ++j) {
+        const double angle = 2.0 * std::numbers::pi * (j + 0.5) / sectors;
+        const double x = std::sqrt(1.0 - t * t) * std::cos(angle);
+        const double y = std::sqrt(1.0 - t * t) * std::sin(angle);
+        const double distance = std::hypot(s + x, y);
+        sum.force += t * t * (s + x) / distance;
+        sum.moment += t * t * (x * x + y * y + s * x) / distance;
+        weights += t * t;
+      }
+    }
+    return UnitWrench{sum.force / weights, sum.moment / weights};
+  };
+  double worst = 0.0;
+  double least = 1.0;
+  double most = 1.0;
+  double force = 0.0;
+  double moment = 0.0;
+  for (int i = -120; i <= 120; ++i) {
+    const double s = std::pow(10.0, i / 40.0);
+    const UnitWrench truth = exact(s);
+    double low = 0.0;
+    double high = 1e6;
+    for (int j = 0; j < 100; ++j) {
+      const double middle = 0.5 * (low + high);
+      (model(middle).force * truth.moment < model(middle).moment * truth.force ? low : high) = middle;
+    }
+    worst = std::max(worst, 1.0 - model(low).force / truth.force);
+    least = std::min(least, low / s);
+    most = std::max(most, low / s);
+    force = std::max(force, truth.force - model(s).force);
+    moment = std::max(moment, (truth.moment - model(s).moment) / m0);
+  }
+  const ExactCurve curve(hertz());
+  const CurveError error = curve_error(pade_model(curve), curve);
+  EXPECT_NEAR(error.max_error, worst, 2e-4);
+  EXPECT_NEAR(error.min_cor_ratio, least, 2e-4);
+  EXPECT_NEAR(error.max_cor_ratio, most, 2e-4);
+  EXPECT_EQ(error.max_over_estimate, 0.0);
+  EXPECT_NEAR(error.max_error, 0.418, 5e-4);
+  EXPECT_NEAR(error.max_cor_error, 0.200, 5e-4);
+  EXPECT_NEAR(force, 0.34, 5e-3);
+  EXPECT_NEAR(moment, 0.39, 5e-3);
+}
+
 /// A model scaled by 1.1 is 10 % too strong on every ray; one scaled by 0.9 is 10 % too weak.
 TEST(CurveError, OfAScaledCurveIsTheScale) {
   const Ellipse exact(1.0, 0.6);

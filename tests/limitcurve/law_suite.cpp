@@ -40,7 +40,7 @@ class LawSuite : public testing::TestWithParam<std::string> {
   /// In double the integral below begins too far from a rim where the pressure is nearly too steep to be integrated.
   bool has_witness() const { return accuracy::has_extended || law_->rim_exponent() > -0.9L; }
 
-  /// ∫ g(ρ)·weight(ρ) dρ by Boost's quadrature from the pressure alone: a witness for what the evaluators return.
+  /// ∫ g(ρ)·weight(ρ) dρ by Boost's quadrature from the pressure alone: an independent reference for the evaluators.
   template <class Weight>
   long double integrate_pressure(Weight&& weight) const {
     static boost::math::quadrature::tanh_sinh<long double> quadrature(15);
@@ -87,12 +87,12 @@ TEST_P(LawSuite, BreaksIncreaseFromTheCentre) {
 }
 
 TEST_P(LawSuite, CarriesUnitLoad) {
-  if (!has_witness()) GTEST_SKIP() << "the witness has too few digits where long double is double";
+  if (!has_witness()) GTEST_SKIP() << "the reference has too few digits where long double is double";
   EXPECT_NEAR(static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho; }) - 1.0L), 0.0, 1e-15 + lost);
 }
 
 TEST_P(LawSuite, PureTwistNeedsTheMeanRadius) {
-  if (!has_witness()) GTEST_SKIP() << "the witness has too few digits where long double is double";
+  if (!has_witness()) GTEST_SKIP() << "the reference has too few digits where long double is double";
   const auto mean_radius = static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho * rho; }));
   EXPECT_NEAR(law_->moment_ratio() / mean_radius, 1.0, 1e-15 + lost);
   EXPECT_EQ(law_->evaluate(0.0).wrench.force, 0.0);
@@ -100,7 +100,7 @@ TEST_P(LawSuite, PureTwistNeedsTheMeanRadius) {
 
 /// s → 0: f ≈ (V₀/2)s with V₀ = 2π(a/P)∫ p dr, that is V₀/2 = ∫ g dρ.
 TEST_P(LawSuite, ForceStartsAsThePressureOnADiameter) {
-  if (!has_witness()) GTEST_SKIP() << "the witness has too few digits where long double is double";
+  if (!has_witness()) GTEST_SKIP() << "the reference has too few digits where long double is double";
   if (law_->name() == "uniform-wear") GTEST_SKIP() << "infinite at the centre: UniformWear.HasItsClosedForms";
   const auto slope = static_cast<double>(integrate_pressure([](long double) { return 1.0L; }));
   EXPECT_NEAR(law_->evaluate(0.0).force_slope / slope, 1.0, 1e-14 + lost);
@@ -116,7 +116,7 @@ TEST_P(LawSuite, PureSlidingNeedsTheWholeForce) {
 
 /// s → ∞: m ≈ ⟨ρ²⟩/(2s), df/ds ≈ ⟨ρ²⟩/(2s³): in relative terms, where textbook forms have no digit left.
 TEST_P(LawSuite, MomentFarFromTheContactIsThatOfTheMeanSquareRadius) {
-  if (!has_witness()) GTEST_SKIP() << "the witness has too few digits where long double is double";
+  if (!has_witness()) GTEST_SKIP() << "the reference has too few digits where long double is double";
   const auto mean_square = static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho * rho * rho; }));
   for (const double far : {1e8, 1e100}) {
     const double s = far * scale();

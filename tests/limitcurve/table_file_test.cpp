@@ -210,7 +210,7 @@ TEST(ShellWord, IsWhatAShellReadsAsTheText) {
   EXPECT_EQ(shell_word(""), "''");
 }
 
-// A checksum keeps accidents out, not contents that are no curve.
+// A checksum keeps accidents out, not contents that are not a curve.
 TEST(TableFile, RefusesRowsThatAreNoTableWhateverTheirChecksum) {
   const std::string text = to_csv(Table::build(hertz(), 1e-3));
   const auto with_its_checksum = [](std::string edited) {

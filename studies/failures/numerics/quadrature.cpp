@@ -219,7 +219,7 @@ Hazard kinks_of_a_profile() {
       raise(ours_unstated, static_cast<double>(abs(Exact(estimate.wrench.force - exact))) / estimate.error.force);
     }
   }
-  const std::string quantity = "relative error of f (a profile of five pieces, at the CORs of the figure; ours is told of the kinks)";
+  const std::string quantity = "relative error of f (a profile of five pieces, at the CORs of the figure; ours knows the kinks)";
   const double ours = worst[2];
   found.findings.push_back({"kinks of a measured profile", "Boost's tanh-sinh, split at s", quantity, worst[0], ours});
   found.findings.push_back({"kinks of a measured profile", "the same, its error estimate", "error / error stated (ours also if not told)",

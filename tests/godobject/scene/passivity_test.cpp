@@ -112,7 +112,7 @@ TEST(Passivity, ExplicitCouplingEndsWhereSaid) {
 // A user who goes to and fro against a spring and a damper whose force comes N samples late: at the worst pace he wins exactly what the device
 // needs to dissipate, at any other less. A damper helps a late spring, and is late itself.
 TEST(Passivity, ALateForceNeedsWhatTheWorstPaceWins) {
-  constexpr int samples = 800;  // whole periods, so that what the spring stores does not count
+  constexpr int samples = 800;  // whole periods, so that what the spring stores drops out
   const auto won = [](double stiffness, double damping, int delay, int periods) {
     const auto place = [&](int i) { return std::cos(2.0 * std::numbers::pi * periods * i / samples); };
     const auto force = [&](int i) { return -stiffness * place(i) - damping * (place(i) - place(i - 1)) / sample_time; };

@@ -55,7 +55,7 @@ inline double stated(const Patch& patch, const PatchTwist& twist) {
   return patch.about_origin({twist.vx + twist.omega * c.y, twist.vy - twist.omega * c.x, twist.omega}).error;
 }
 
-/// What the witness of polygons loses where long double is double.
+/// What the reference of polygons loses where long double is double.
 inline constexpr double witness_error = accuracy::has_extended ? 0.0 : 1e-13;
 
 }  // namespace limitcurve::test

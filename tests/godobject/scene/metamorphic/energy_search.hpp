@@ -7,6 +7,7 @@
 #include "tests/godobject/scene/metamorphic/random_scene.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -78,16 +79,16 @@ class SlowUser {
   Won won_;
 };
 
-/// Counts what a device whose finger's wrench is sampled and held for a time step does on its user, who leads it in a straight line, turning evenly,
-/// from sample to sample; less what the device's own damper takes, which is least then.
+/// Counts what a device whose finger's wrench is sampled, comes `delay` samples late and is held for a time step does on its user, who leads it
+/// in a straight line, turning evenly, from sample to sample; less what the device's own damper takes, which is least then.
 class SampledUser {
  public:
-  SampledUser(SoftFinger finger, DeviceDamping device, double time_step)
-      : finger_(std::move(finger)), device_(device), time_step_(time_step) {}
+  SampledUser(SoftFinger finger, DeviceDamping device, double time_step, int delay)
+      : finger_(std::move(finger)), device_(device), time_step_(time_step), rendered_(static_cast<std::size_t>(delay) + 1) {}
 
   void move(const AnySurface& surface, const DevicePose& to) {
-    const FingerOutput held = finger_.output();
-    const bool touches = finger_.state().in_contact;
+    const FingerOutput held = rendered_.front();
+    const bool touches = held.state == ContactState::stick || held.state == ContactState::slip;
     const Eigen::Vector3d way = to.position - last_.position;
     Eigen::AngleAxisd turned(to.orientation * last_.orientation.conjugate());
     if (turned.angle() > std::numbers::pi) turned.angle() -= 2.0 * std::numbers::pi;
@@ -109,6 +110,8 @@ class SampledUser {
     }
     started_ = true;
     last_ = to;
+    rendered_.pop_front();
+    rendered_.push_back(now);
   }
 
   [[nodiscard]] const Won& won() const { return won_; }
@@ -119,6 +122,7 @@ class SampledUser {
   SoftFinger finger_;
   DeviceDamping device_;
   double time_step_;
+  std::deque<FingerOutput> rendered_;  // the oldest acts now
   DevicePose last_;
   bool started_ = false;
   Won won_;
