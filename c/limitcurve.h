@@ -10,7 +10,7 @@
  *
  * Errors. A function that can fail returns a limitcurve_status, with the values of the command line's exit codes. If it is not
  * LIMITCURVE_OK, nothing was written through the caller's pointers, and limitcurve_error() has a line with the argument, its value and
- * the expected values. No exception crosses this interface. NULL in place of a handle, a text or an array is LIMITCURVE_INVALID; arrays
+ * the expected values. No exception crosses this interface. NULL instead of a handle, a text or an array is LIMITCURVE_INVALID; arrays
  * of length 0 may be NULL.
  *
  * Ownership. The caller owns the handles that functions create, and frees each once with the function of its kind (NULL is ignored). The
@@ -102,7 +102,7 @@ LIMITCURVE_API const char* limitcurve_table_csv(const limitcurve_table* table);
 
 LIMITCURVE_API void limitcurve_table_free(limitcurve_table* table);
 
-/* Bound of the absolute error of unit force and moment against the law, to which a measured pressure adds its own (limitcurve_law_evaluate);
+/* Bound on the absolute error of unit force and moment against the law, to which a measured pressure adds its own (limitcurve_law_evaluate);
  * 0 for an ellipse or a box. */
 LIMITCURVE_API limitcurve_status limitcurve_table_checked_error(const limitcurve_table* table, double* error);
 
@@ -114,7 +114,7 @@ LIMITCURVE_API limitcurve_status limitcurve_table_evaluate(const limitcurve_tabl
                                                            double* moments);
 
 /* Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Forces and moments are
- * finite; signs do not count. [real time] */
+ * finite; signs are ignored. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces, const double* moments,
                                                         size_t count, double* gauges);
 
@@ -167,7 +167,7 @@ typedef struct limitcurve_finger_parameters {
   double mu;                 /* coefficient of static friction >= 0 */
   double mu_dynamic;         /* while slipping, in [0, mu]; NaN: mu */
   const char* radius_law;    /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; read by the call only; NULL where mu_r is given */
-  double mu_r; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), in place of the radius law's; NaN: none */
+  double mu_r; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), instead of the radius law's; NaN: none */
   double gamma;    /* gamma, in [-0.5, 1] */
   double mu_r_dynamic; /* while slipping; NaN: mu_r mu_d/mu */
   double stiffness;                  /* k_l [N/m] > 0, normal and tangential */
@@ -181,7 +181,7 @@ typedef struct limitcurve_finger_parameters {
 
 LIMITCURVE_API limitcurve_finger_parameters limitcurve_finger_defaults(void);
 
-/* The smallest loads [N] under which a contact bears forces [N] and moments [N m], whose signs do not count; inf where no load holds. Of the
+/* The smallest loads [N] under which a contact bears forces [N] and moments [N m], whose signs are ignored; inf where no load holds. Of the
  * finger's parameters mu, radius_law, mu_r and gamma count. Of a measured pressure `limitcurve hold` estimates the error, hold_error. */
 LIMITCURVE_API limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, const limitcurve_finger_parameters* contact,
                                                                const double* forces, const double* moments, size_t count, double* loads);
@@ -193,7 +193,7 @@ typedef enum limitcurve_state {
   LIMITCURVE_STATE_INVALID = 3  /* bad input: the last good output is held, and fades */
 } limitcurve_state;
 
-/* The reason of LIMITCURVE_STATE_INVALID. */
+/* The reason for LIMITCURVE_STATE_INVALID. */
 typedef enum limitcurve_fault {
   LIMITCURVE_FAULT_NONE = 0,
   LIMITCURVE_FAULT_NOT_FINITE = 1,   /* a NaN or an infinity in the point, the normal, the depth or the twist */
@@ -229,7 +229,7 @@ typedef struct limitcurve_finger_output {
   double slip_work; /* dissipated in this step [J], >= 0 */
   limitcurve_state state;
   int converged; /* 0: the search for a patch's closest point did not converge */
-  limitcurve_fault fault; /* the reason of LIMITCURVE_STATE_INVALID */
+  limitcurve_fault fault; /* the reason for LIMITCURVE_STATE_INVALID */
 } limitcurve_finger_output;
 
 typedef struct limitcurve_finger limitcurve_finger;
@@ -256,7 +256,7 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* fin
 LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact,
                                                                      double load, double time_step, limitcurve_finger_output* output);
 
-/* Both with the device's orientation (w, x, y, z; finger to surface, of unit length) in place of `twist`, which is not read. [real time] */
+/* Both with the device's orientation (w, x, y, z; finger to surface, of unit length) instead of `twist`, which is not read. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update_pose(limitcurve_finger* finger, const limitcurve_contact* contact,
                                                                const double orientation[4], double time_step,
                                                                limitcurve_finger_output* output);
@@ -385,7 +385,7 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_orthotropic(const limitcurve_p
 LIMITCURVE_API void limitcurve_patch_free(limitcurve_patch* patch);
 
 /* The wrenches (fx, fy, moment) that keep the patch sliding with `count` twists (vx, vy, omega) [m/s, rad/s] about the origin, three
- * numbers each, for mu = 1 and load 1. Their powers [m/s] and the bounds of their errors may be NULL. [real time] */
+ * numbers each, for mu = 1 and load 1. Their powers [m/s] and the bounds on their errors may be NULL. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count,
                                                          double* wrenches, double* powers, double* errors);
 
