@@ -23,7 +23,7 @@ godobject::Replay replay_of(std::size_t fingers, bool body_moves) {
 
 void require_pose(const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
   fuzz::require(position.allFinite(), "a position that is not finite");
-  fuzz::require(std::fabs(orientation.norm() - 1.0) <= 1e-12, "an orientation that is no rotation");
+  fuzz::require(std::fabs(orientation.norm() - 1.0) <= 1e-12, "an orientation that is not a rotation");
 }
 
 void read(const std::string& file, std::size_t fingers, bool body_moves) {
