@@ -83,7 +83,8 @@ Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 
 }  // namespace detail
 
-/// Zhuravlev's model with the ends of `exact`, whose force_max is 1.
+/// Zhuravlev's model with the ends of `exact`, whose force_max is 1; of no use if the force of `exact` rises infinitely steeply from a pure
+/// spin (uniform-wear).
 template <LimitCurve Exact>
 PadeModel pade_model(const Exact& exact) {
   const double m0 = exact.moment_ratio();
