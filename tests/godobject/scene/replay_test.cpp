@@ -150,16 +150,17 @@ TEST(Replay, TakesAFreeBodyAlong) {
   EXPECT_EQ(replay.body().velocity.z(), 0.0);
 }
 
-// While a sample is invalid the wrench is held in the body's frame: force and normal turn together.
+// While a sample is invalid the wrench is held in the body's frame: force and normal turn together. The position is the last good one.
 TEST(Replay, HeldForceAndNormalTurnWithTheBody) {
   ReplayOptions with = options();
   with.motion = BodyMotion::prescribed;
   Replay replay(with);
   moved(replay, 0.0, pose({0.0, 0.0, -0.002}));
-  moved(replay, 0.001, pose({0.0003, 0.0, -0.002}));
+  const Vector3d proxy = moved(replay, 0.001, pose({0.0003, 0.0, -0.002})).proxy;
   const Quaterniond turned(Eigen::AngleAxisd(0.7, Vector3d(1.0, 2.0, 0.5).normalized()));
   const SceneContact contact = moved(replay, 0.002, pose({nan, 0.0, 0.0}), {Vector3d::Zero(), turned});
   ASSERT_EQ(contact.state, ContactState::invalid);
+  EXPECT_EQ(contact.proxy, proxy);
   EXPECT_GT(contact.force.norm(), 0.1);
   EXPECT_NEAR(contact.force.dot(contact.normal), 0.0, 1e-12);
   // What it needs fades with it.
