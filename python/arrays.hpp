@@ -17,6 +17,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,12 +47,19 @@ namespace limitcurve::python {
 
 namespace nb = nanobind;
 
+/// `numpy.NAME`, looked up once a name.
+nb::handle numpy(const char* name);
+
+/// Three numbers as a new array; without one Python's error is set.
+nb::handle array_of(const Eigen::Vector3d& numbers) noexcept;
+
 /// The caller's numbers, contiguous; copied only if they are not contiguous.
 template <class Real>
 struct Numbers {
   nb::object array;  ///< keeps the data alive
   const Real* data;
   std::size_t size;
+  int dimensions;
 };
 
 /// Whether a mask leaves out some of the caller's numbers.
@@ -84,9 +93,6 @@ inline constexpr Range any{-ranges::infinite, ranges::infinite, "any"};
 template <class Real>
 void require(const Real* numbers, std::size_t size, const char* name, const Range& range);
 
-/// NumPy's type of a single number in single precision.
-nb::handle single_type();
-
 /// A number of Python itself, or of NumPy in single precision: arrays would cost a hundred times what the result does.
 std::optional<double> plain_number(nb::handle value);
 
@@ -110,8 +116,8 @@ nb::object in_precision(bool single, const Work& work) {
 }
 
 /// A number; `standard` for None. ValueError with `name` and the value if it is none.
-double number_of(nb::handle value, const std::string& name);
-double number_of(nb::handle value, const std::string& name, double standard);
+double number_of(nb::handle value, std::string_view name);
+double number_of(nb::handle value, std::string_view name, double standard);
 /// A text; `standard` for None. ValueError likewise.
 std::string string_of(nb::handle value, const std::string& name, const std::string& standard);
 std::string string_of(nb::handle value, const std::string& name);
@@ -124,6 +130,17 @@ bool truth_of(nb::handle value);
 /// Three numbers from a sequence or an array. ValueError with `name` if they are not.
 Eigen::Vector3d three_numbers(nb::handle values, const char* name);
 Eigen::Vector4d four_numbers(nb::handle values, const char* name);
+
+/// Arguments of an overload for the usual kinds of value, which nanobind reads in half the time. They refuse any other value without an
+/// error: the overload for all kinds, which comes after, takes it or says what is wrong.
+struct PlainNumber {
+  double value;  ///< of a float or an int
+};
+struct PlainVector {
+  Eigen::Vector3d value;  ///< of a tuple of three of them, or an array in double precision
+};
+bool read(nb::handle from, PlainNumber& to) noexcept;
+bool read(nb::handle from, PlainVector& to) noexcept;
 
 /// str(object).
 std::string text_of(const nb::object& object);
@@ -182,9 +199,9 @@ nb::object of_numbers(const std::array<nb::handle, count>& values, const std::ar
   if (known == count) {
     for (std::size_t i = 0; i < count; ++i) require(&plain[i], 1, names[i], ranges[i]);
     const std::array<double, results> found = values_at(plain);
-    const bool single = std::all_of(values.begin(), values.end(), [](nb::handle value) { return value.type().is(single_type()); });
+    const bool single = std::all_of(values.begin(), values.end(), [](nb::handle value) { return value.type().is(numpy("float32")); });
     return handed([&](std::size_t i) -> nb::object {
-      return single ? single_type()(static_cast<float>(found[i])) : nb::object(nb::float_(found[i]));
+      return single ? numpy("float32")(static_cast<float>(found[i])) : nb::object(nb::float_(found[i]));
     });
   }
   return in_precision(std::all_of(values.begin(), values.end(), is_single), [&]<class Real>(Real) -> nb::object {
@@ -203,3 +220,21 @@ nb::object of_numbers(const std::array<nb::handle, count>& values, const std::ar
 }
 
 }  // namespace limitcurve::python
+
+/// nanobind's own takes eight times as long.
+template <>
+struct nanobind::detail::type_caster<Eigen::Vector3d> {
+  NB_TYPE_CASTER(Eigen::Vector3d, const_name("numpy.typing.NDArray[numpy.float64]"))
+  static handle from_cpp(const Eigen::Vector3d& numbers, rv_policy, cleanup_list*) noexcept {
+    return limitcurve::python::array_of(numbers);
+  }
+};
+template <class Plain>
+requires std::is_same_v<Plain, limitcurve::python::PlainNumber> || std::is_same_v<Plain, limitcurve::python::PlainVector>
+struct nanobind::detail::type_caster<Plain> {
+  NB_TYPE_CASTER(Plain, const_name("typing.Any"))
+  template <class Flags>
+  bool from_python(handle from, Flags, cleanup_list*) noexcept {
+    return limitcurve::python::read(from, value);
+  }
+};

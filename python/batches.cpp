@@ -14,9 +14,13 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace limitcurve::python {
 
@@ -32,18 +36,17 @@ class Contacts {
       : batch_(curve_of<Real>(curve), parameters, projection), arrays_(count) {}
 
   void update(nb::handle x, nb::handle y, nb::handle depth, nb::handle twist) {
-    const Numbers<Real> at_x = input(x, "x");
-    const Numbers<Real> at_y = input(y, "y");
-    const Numbers<Real> depths = input(depth, "depth");
-    const Numbers<Real> angles = input(twist, "twist");
+    const Input at_x = input(x, "x");
+    const Input at_y = input(y, "y");
+    const Input depths = input(depth, "depth");
+    const Input angles = input(twist, "twist");
     const nb::gil_scoped_release release;
     const std::lock_guard lock(mutex_);
     BasicContactBatch<Real> contacts = arrays_.batch();
-    const auto all = [this](const Numbers<Real>& numbers) { return std::span(numbers.data, arrays_.size()); };
-    contacts.x = all(at_x);
-    contacts.y = all(at_y);
-    contacts.twist = all(angles);
-    contacts.depth = all(depths);
+    contacts.x = at_x.all;
+    contacts.y = at_y.all;
+    contacts.twist = angles.all;
+    contacts.depth = depths.all;
     batch_.step(contacts);
   }
 
@@ -81,15 +84,23 @@ class Contacts {
     for (const auto array : {all.state, all.force_slides, all.moment_slides}) work(array);
   }
 
-  /// One number for each contact, or a single one for all.
-  [[nodiscard]] Numbers<Real> input(nb::handle values, const char* name) {
-    Numbers<Real> numbers = numbers_of<Real>(values, name);
+  /// One number for each contact, and what keeps them: the caller's array, or copies of his single number.
+  struct Input {
+    std::span<const Real> all;
+    nb::object array;
+    std::vector<Real> copies;
+  };
+  [[nodiscard]] Input input(nb::handle values, const char* name) {
     const std::size_t count = arrays_.size();
-    if (nb::cast<int>(numbers.array.attr("ndim")) == 0) {
-      const nb::object whole = nb::module_::import_("numpy").attr("full")(count, numbers.array);
-      return numbers_of<Real>(whole, name);
+    std::optional<double> single = plain_number(values);
+    Numbers<Real> numbers{};
+    if (!single) numbers = numbers_of<Real>(values, name);
+    if (!single && numbers.dimensions == 0) single = numbers.data[0];
+    if (single) {
+      std::vector<Real> copies(count, static_cast<Real>(*single));
+      return {copies, {}, std::move(copies)};
     }
-    if (nb::cast<int>(numbers.array.attr("ndim")) != 1 || numbers.size != count) {
+    if (numbers.dimensions != 1 || numbers.size != count) {
       throw std::invalid_argument(std::string(name) + ": got the shape " + text_of(numbers.array.attr("shape")) + ", expected (" +
                                   std::to_string(count) + ",)");
     }
@@ -98,7 +109,7 @@ class Contacts {
     const std::less<> before;
     if (count > 0 && !before(numbers.data, own.x.data()) && before(numbers.data, own.moment.data() + count))
       numbers = numbers_of<Real>(numbers.array.attr("copy")(), name);
-    return numbers;
+    return {{numbers.data, count}, std::move(numbers.array), {}};
   }
 
   BasicBatch<Real> batch_;
@@ -113,7 +124,7 @@ struct PyBatch {
 };
 
 bool is_single_precision(nb::handle dtype) {
-  const nb::object type = nb::module_::import_("numpy").attr("dtype")(dtype);
+  const nb::object type = numpy("dtype")(dtype);
   const std::string name = text_of(type);
   if (name == "float64" || name == "float32") return name == "float32";
   throw std::invalid_argument("dtype: got " + name + ", expected float64 or float32");

@@ -52,7 +52,7 @@ nb::object array_of(const std::vector<double>& numbers) {
 
 nb::object array_of(const Column& column) {
   if (!column.numbers.empty() && !column.texts.empty()) throw std::logic_error("a column of numbers and texts: " + column.name);
-  const nb::object asarray = nb::module_::import_("numpy").attr("asarray");
+  const nb::handle asarray = numpy("asarray");
   if (!column.texts.empty()) return asarray(nb::cast(column.texts), nb::arg("dtype") = "str");
   switch (column.kind) {
     case Column::Kind::integer:

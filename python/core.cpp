@@ -9,6 +9,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <cstring>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -16,10 +17,6 @@
 namespace limitcurve::python {
 
 namespace {
-
-nb::object numpy(const char* name) {
-  return nb::module_::import_("numpy").attr(name);
-}
 
 /// Lets pass what is no error of the caller's values: Ctrl-C inside them, no memory.
 void rethrow_unless_of_values(nb::python_error& error) {
@@ -56,14 +53,52 @@ nb::object as_array(nb::handle values, const std::string& name) {
 template <class Real>
 constexpr const char* dtype_of = sizeof(Real) == sizeof(float) ? "float32" : "float64";
 
+/// The numbers of a plain array if they are contiguous and of this type.
+template <class Real>
+std::optional<Numbers<Real>> in_place(nb::handle array) {
+  Py_buffer buffer;
+  if (!array.type().is(numpy("ndarray"))) return std::nullopt;
+  if (PyObject_GetBuffer(array.ptr(), &buffer, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT) != 0) {
+    PyErr_Clear();
+    return std::nullopt;
+  }
+  std::optional<Numbers<Real>> numbers;
+  if (std::string_view(buffer.format) == (sizeof(Real) == sizeof(double) ? "d" : "f"))
+    numbers = {nb::borrow(array), static_cast<const Real*>(buffer.buf), static_cast<std::size_t>(buffer.len) / sizeof(Real), buffer.ndim};
+  PyBuffer_Release(&buffer);
+  return numbers;
+}
+
 template <class Real>
 Numbers<Real> contiguous(const nb::object& array) {
   const nb::object converted = numpy("asarray")(array, nb::arg("dtype") = dtype_of<Real>, nb::arg("order") = "C");
-  const auto view = nb::cast<nb::ndarray<const Real, nb::c_contig, nb::ndim<1>>>(converted.attr("reshape")(-1));
-  return {converted, view.data(), view.size()};
+  const std::optional<Numbers<Real>> numbers = in_place<Real>(converted);
+  return numbers ? *numbers : in_place<Real>(converted.attr("copy")()).value();  // it was not aligned
 }
 
 }  // namespace
+
+nb::handle numpy(const char* name) {
+  static std::vector<std::pair<const char*, nb::handle>> known;  // by the literals' addresses; the GIL guards it
+  for (const auto& [known_name, value] : known)
+    if (known_name == name) return value;
+  const nb::handle value = nb::object(nb::module_::import_("numpy").attr(name)).release();
+  return known.emplace_back(name, value).second;
+}
+
+nb::handle array_of(const Eigen::Vector3d& numbers) noexcept {
+  try {
+    nb::object array = numpy("empty")(3);
+    Py_buffer buffer;
+    if (PyObject_GetBuffer(array.ptr(), &buffer, PyBUF_WRITABLE) != 0) return {};
+    std::memcpy(buffer.buf, numbers.data(), sizeof numbers);
+    PyBuffer_Release(&buffer);
+    return array.release();
+  } catch (nb::python_error& error) {
+    error.restore();
+    return {};
+  }
+}
 
 bool is_masked(nb::handle values) {
   return nb::cast<bool>(nb::bool_(nb::module_::import_("numpy.ma").attr("is_masked")(values)));
@@ -84,6 +119,7 @@ bool is_single(nb::handle values) {
 
 template <class Real>
 Numbers<Real> numbers_of(nb::handle values, const std::string& name) {
+  if (std::optional<Numbers<Real>> numbers = in_place<Real>(values)) return *std::move(numbers);
   return contiguous<Real>(as_array(values, name));
 }
 template Numbers<double> numbers_of(nb::handle values, const std::string& name);
@@ -101,7 +137,7 @@ std::vector<Numbers<double>> columns_of(const std::string& table, const std::vec
     const bool has_mask = is_masked(columns[i]);
     try {
       result.push_back(numbers_of<double>(has_mask ? masks.attr("getdata")(columns[i]) : nb::object(columns[i]), place(i)));
-      if (!table.empty() && nb::cast<int>(result[i].array.attr("ndim")) != 1) {
+      if (!table.empty() && result[i].dimensions != 1) {
         throw std::invalid_argument(place(i) + ": got the shape " + text_of(result[i].array.attr("shape")) + ", expected one dimension");
       }
     } catch (const std::invalid_argument& error) {
@@ -154,16 +190,15 @@ void require(const Real* numbers, std::size_t size, const char* name, const Rang
 template void require(const double* numbers, std::size_t size, const char* name, const Range& range);
 template void require(const float* numbers, std::size_t size, const char* name, const Range& range);
 
-nb::handle single_type() {
-  static nb::handle type;  // set under the GIL: in a static's initialiser two threads that import could wait for each other
-  if (!type.is_valid()) type = numpy("float32").release();
-  return type;
+/// -1 with an error if it is none. Of an int PyFloat_AsDouble would make a float first.
+static double as_double(nb::handle value) {
+  return PyLong_CheckExact(value.ptr()) ? PyLong_AsDouble(value.ptr()) : PyFloat_AsDouble(value.ptr());
 }
 
 std::optional<double> plain_number(nb::handle value) {
   if (PyFloat_Check(value.ptr())) return PyFloat_AsDouble(value.ptr());
-  if (!PyLong_CheckExact(value.ptr()) && !value.type().is(single_type())) return std::nullopt;
-  const double number = PyFloat_AsDouble(value.ptr());
+  if (!PyLong_CheckExact(value.ptr()) && !value.type().is(numpy("float32"))) return std::nullopt;
+  const double number = as_double(value);
   if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
   PyErr_Clear();  // too large: said as of arrays
   return std::nullopt;
@@ -185,15 +220,15 @@ nb::object handed_over(const Results<Real>& results) {
 template nb::object handed_over(const Results<double>& results);
 template nb::object handed_over(const Results<float>& results);
 
-double number_of(nb::handle value, const std::string& name) {
-  const double number = PyFloat_AsDouble(value.ptr());
+double number_of(nb::handle value, std::string_view name) {
+  const double number = as_double(value);
   if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
   nb::python_error error;
   rethrow_unless_of_values(error);
-  throw std::invalid_argument(name + ": got " + shown(value) + ", expected a number");
+  throw std::invalid_argument(std::string(name) + ": got " + shown(value) + ", expected a number");
 }
 
-double number_of(nb::handle value, const std::string& name, double standard) {
+double number_of(nb::handle value, std::string_view name, double standard) {
   return value.is_none() ? standard : number_of(value, name);
 }
 
@@ -227,18 +262,21 @@ bool truth_of(nb::handle value) {
 
 /// As many numbers as the vector has.
 template <class Vector>
-static Vector vector_of(nb::handle values, const char* name, const std::string& expected) {
+static Vector vector_of(nb::handle values, const char* name, const char* expected) {
+  constexpr std::size_t size = Vector::SizeAtCompileTime;
   nb::object items = nb::borrow(values);
   if (!nb::isinstance<nb::list>(items) && !nb::isinstance<nb::tuple>(items)) {
+    const std::optional<Numbers<double>> numbers = in_place<double>(values);
+    if (numbers && numbers->dimensions == 1 && numbers->size == size) return Vector(numbers->data);
     if (!items.type().is(numpy("ndarray"))) items = numbers_of<double>(values, name).array;
     items = items.attr("tolist")();
     if (!nb::isinstance<nb::list>(items)) throw std::invalid_argument(std::string(name) + ": got one number, expected " + expected);
   }
   const nb::tuple all(items);  // a copy: converting a number may change a list
   Vector vector;
-  if (nb::len(all) != static_cast<std::size_t>(vector.size()))
+  if (nb::len(all) != size)
     throw std::invalid_argument(std::string(name) + ": got " + std::to_string(nb::len(all)) + " numbers, expected " + expected);
-  for (Eigen::Index i = 0; i < vector.size(); ++i) vector[i] = number_of(all[static_cast<std::size_t>(i)], name);
+  for (std::size_t i = 0; i < size; ++i) vector[static_cast<Eigen::Index>(i)] = number_of(all[i], name);
   return vector;
 }
 
@@ -248,6 +286,29 @@ Eigen::Vector3d three_numbers(nb::handle values, const char* name) {
 
 Eigen::Vector4d four_numbers(nb::handle values, const char* name) {
   return vector_of<Eigen::Vector4d>(values, name, "four");
+}
+
+bool read(nb::handle from, PlainNumber& to) noexcept {
+  if (!PyFloat_Check(from.ptr()) && !PyLong_CheckExact(from.ptr())) return false;
+  to.value = as_double(from);
+  if (to.value != -1.0 || PyErr_Occurred() == nullptr) return true;
+  PyErr_Clear();
+  return false;
+}
+
+bool read(nb::handle from, PlainVector& to) noexcept {
+  if (!PyTuple_CheckExact(from.ptr())) {
+    const std::optional<Numbers<double>> numbers = in_place<double>(from);
+    if (!numbers || numbers->dimensions != 1 || numbers->size != 3) return false;
+    to.value = Eigen::Vector3d(numbers->data);
+    return true;
+  }
+  PlainNumber number;
+  for (int i = 0; i < 3; ++i) {
+    if (PyTuple_Size(from.ptr()) != 3 || !read(PyTuple_GetItem(from.ptr(), i), number)) return false;
+    to.value[i] = number.value;
+  }
+  return true;
 }
 
 std::string text_of(const nb::object& object) {

@@ -6,7 +6,6 @@
 #include "cli/io/output_file.hpp"
 #include "cli/io/table_reader.hpp"
 #include "cli/io/table_writer.hpp"
-#include "cli/io/unit_checks.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -20,7 +19,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -48,34 +46,24 @@ nb::object loads_to_hold(const Curve& curve, const BoundArguments& given) {
   const nb::object gamma = given[5].is_none() ? nb::float_(0.0) : given[5];
   if (radius_law.is_none() == mu_r.is_none())
     throw std::invalid_argument(std::string("radius_law, mu_r: got ") + (mu_r.is_none() ? "none" : "both") + ", expected one of them");
-  cli::UnitChecks questions;
-  std::array loads{std::numeric_limits<double>::infinity(), 0.0};
-  const auto least = [&](const ContactFriction& contact, double f, double m) {
-    const double load = load_to_hold(curve, contact, f, m);
-    questions.wrench(f, m);
-    questions.load(load);
-    if (load > 0.0 && std::isfinite(load)) loads = {std::min(loads[0], load), std::max(loads[1], load)};
-    return std::array{load};
-  };
-  nb::object result;
+  const auto least = [&](const ContactFriction& contact, double f, double m) { return std::array{load_to_hold(curve, contact, f, m)}; };
   if (mu_r.is_none()) {
     const cli::RadiusLawArgument argument = cli::read_radius_law(string_of(radius_law, "radius_law"));
     ContactFriction contact{.mu = -1.0, .gamma = number_of(gamma, "gamma")};
-    result = of_numbers<1, 16, 3>({force, moment, mu}, {"force", "moment", "mu"}, {any, any, ranges::non_negative}, [&](const auto& of) {
-      // Measured moments make another radius law for each mu; without friction none matters.
-      if (of[2] != contact.mu) contact.radius_law = of[2] > 0.0 ? argument.of(of[2], curve.moment_ratio()) : RadiusLaw::constant(1e-3);
-      contact.mu = of[2];
-      return least(contact, of[0], of[1]);
-    });
-    if (contact.radius_law) questions.radii(*contact.radius_law, loads);
-  } else {
-    constexpr Range exponent{-0.5, 1.0, "a number from -0.5 to 1"};
-    result = of_numbers<1, 16, 5>({force, moment, mu, mu_r, gamma}, {"force", "moment", "mu", "mu_r", "gamma"},
-                                  {any, any, ranges::non_negative, ranges::non_negative, exponent},
-                                  [&](const auto& of) { return least({.mu = of[2], .mu_r = of[3], .gamma = of[4]}, of[0], of[1]); });
+    nb::object result =
+        of_numbers<1, 16, 3>({force, moment, mu}, {"force", "moment", "mu"}, {any, any, ranges::non_negative}, [&](const auto& of) {
+          // Measured moments make another radius law for each mu; without friction none matters.
+          if (of[2] != contact.mu) contact.radius_law = of[2] > 0.0 ? argument.of(of[2], curve.moment_ratio()) : RadiusLaw::constant(1e-3);
+          contact.mu = of[2];
+          return least(contact, of[0], of[1]);
+        });
+    if (contact.radius_law) ask_unit(*contact.radius_law);
+    return result;
   }
-  warn(questions.lines());
-  return result;
+  constexpr Range exponent{-0.5, 1.0, "a number from -0.5 to 1"};
+  return of_numbers<1, 16, 5>({force, moment, mu, mu_r, gamma}, {"force", "moment", "mu", "mu_r", "gamma"},
+                              {any, any, ranges::non_negative, ranges::non_negative, exponent},
+                              [&](const auto& of) { return least({.mu = of[2], .mu_r = of[3], .gamma = of[4]}, of[0], of[1]); });
 }
 
 /// The gauges of arrays of wrenches by a table, in blocks, which are computed in packs.

@@ -9,7 +9,6 @@
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/internal/number.hpp"
 
-#include <nanobind/eigen/dense.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
@@ -42,12 +41,33 @@ struct PyFinger : SoftFinger {
       : SoftFinger(std::move(finger)), contact(nb::borrow(on)), given(std::move(keywords)) {}
 };
 
-/// A method that takes a contact, by its depth or its load, and the device's twist or orientation.
-std::string contact_signature(const char* name, const char* held, const char* pressed = "depth") {
-  constexpr const char* vector = "collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any]";
-  return std::string("def ") + name + "(self, point: " + vector + ", normal: " + vector + ", " + pressed + ": float, " + held + ": " +
-         (std::string_view(held) == "twist" ? "float" : vector) + ", dt: float = 0.0, landed: bool = False) -> FingerOutput";
+constexpr const char* any_vector = "collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any]";
+constexpr const char* plain_vector = "tuple[float, float, float] | numpy.typing.NDArray[numpy.float64]";
+
+/// A method that takes a contact with a depth or a load, and the device's twist or orientation.
+std::string step_signature(const char* name, const char* depth_or_load, const std::string& held, const std::string& vector = any_vector) {
+  return std::string("def ") + name + "(self, point: " + vector + ", normal: " + vector + ", " + depth_or_load + ": float, " + held +
+         ", dt: float = 0.0, landed: bool = False) -> FingerOutput";
 }
+
+/// A step twice: of plain values, and of all kinds.
+template <class Self, class Step>
+void define_step(nb::class_<PyFinger>& type, const char* name, const char* depth_or_load, const Step& step, const char* doc) {
+  type.def(
+      name,
+      [step](Self self, const PlainVector& point, const PlainVector& normal, PlainNumber of, PlainNumber twist, PlainNumber dt,
+             bool landed) { return step(self, point.value, normal.value, of.value, twist.value, dt.value, landed); },
+      nb::arg("point"), nb::arg("normal"), nb::arg(depth_or_load), nb::arg("twist"), nb::arg("dt") = 0.0, nb::arg("landed") = false,
+      nb::sig(step_signature(name, depth_or_load, "twist: float", plain_vector).c_str()));
+  define<Self>(
+      type, step_signature(name, depth_or_load, "twist: float"),
+      [=](Self self, const BoundArguments& given) {
+        return step(self, three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], depth_or_load),
+                    number_of(given[3], "twist"), number_of(given[4], "dt", 0.0), truth_of(given[5]));
+      },
+      doc);
+}
+
 constexpr const char* update_doc =
     "One step. Input: the contact (surface point [m], outward unit normal, depth [m] below the surface, <= 0 outside), the\n"
     "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers. landed: the finger left the\n"
@@ -60,21 +80,8 @@ constexpr const char* update_under_load_doc =
     "motion friction sees. With a load <= 0 the finger is free; one that is not finite is bad input. The output has that load, and\n"
     "NaN for the depth. Friction reaches its limit on a surface of any radius. The rest as in `update`.";
 
-FingerOutput update_under_load(PyFinger& finger, const BoundArguments& given) {
-  return finger.update_under_load(three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "load"),
-                                  number_of(given[3], "twist"), number_of(given[4], "dt", 0.0), truth_of(given[5]));
-}
-
 Contact contact_of(const BoundArguments& given) {
   return {three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "depth"), {}, truth_of(given[5])};
-}
-
-FingerOutput update(PyFinger& finger, const BoundArguments& given) {
-  return finger.update(contact_of(given), number_of(given[3], "twist"), number_of(given[4], "dt", 0.0));
-}
-
-FingerOutput preview(const PyFinger& finger, const BoundArguments& given) {
-  return finger.preview(contact_of(given), number_of(given[3], "twist"), number_of(given[4], "dt", 0.0));
 }
 
 Orientation orientation_of(nb::handle given) {
@@ -198,11 +205,23 @@ void add_finger_types(nb::module_& module) {
       },
       "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: 'closest-point', 'radial',\n"
       "'c-curve'. ValueError names a parameter out of range.");
-  define<PyFinger&>(type, contact_signature("update", "twist"), &update, update_doc);
-  define<PyFinger&>(type, contact_signature("update_pose", "orientation"), &update_pose,
+  using Vector = Eigen::Vector3d;
+  define_step<PyFinger&>(
+      type, "update", "depth",
+      [](PyFinger& self, const Vector& point, const Vector& normal, double depth, double twist, double dt, bool landed) {
+        return self.update({point, normal, depth, {}, landed}, twist, dt);
+      },
+      update_doc);
+  const std::string orientation = std::string("orientation: ") + any_vector;
+  define<PyFinger&>(type, step_signature("update_pose", "depth", orientation), &update_pose,
                     "The same with the device's orientation (w, x, y, z; finger to surface) in place of its twist about the normal.");
-  define<const PyFinger&>(type, contact_signature("preview", "twist"), &preview, "What `update` would give; nothing changes.");
-  define<const PyFinger&>(type, contact_signature("preview_pose", "orientation"), &preview_pose,
+  define_step<const PyFinger&>(
+      type, "preview", "depth",
+      [](const PyFinger& self, const Vector& point, const Vector& normal, double depth, double twist, double dt, bool landed) {
+        return self.preview({point, normal, depth, {}, landed}, twist, dt);
+      },
+      "What `update` would give; nothing changes.");
+  define<const PyFinger&>(type, step_signature("preview_pose", "depth", orientation), &preview_pose,
                           "What `update_pose` would give; nothing changes.");
   define<PyFinger&>(
       type, "def change(self, *, " + parameters_signature() + ") -> None", &change,
@@ -218,8 +237,13 @@ void add_finger_types(nb::module_& module) {
         self.restore(other->state());
       },
       "Takes the state of another finger: proxy, memories and output, not its parameters.");
-  define<PyFinger&>(type, contact_signature("update_under_load", "twist", "load"), &update_under_load, update_under_load_doc);
-  define<PyFinger&>(type, contact_signature("update_under_load_pose", "orientation", "load"), &update_under_load_pose,
+  define_step<PyFinger&>(
+      type, "update_under_load", "load",
+      [](PyFinger& self, const Vector& point, const Vector& normal, double load, double twist, double dt, bool landed) {
+        return self.update_under_load(point, normal, load, twist, dt, landed);
+      },
+      update_under_load_doc);
+  define<PyFinger&>(type, step_signature("update_under_load_pose", "load", orientation), &update_under_load_pose,
                     "The same with the device's orientation in place of its twist.");
   define<PyFinger&>(type, "def reset(self) -> None", &SoftFinger::reset, "Back to the state before any contact.");
   type.def_prop_ro(
@@ -356,11 +380,15 @@ FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
   if (!radius_law) return parameters;
   if (parameters.mu_r) throw std::invalid_argument("mu_r: not with radius_law, expected one of them");
   parameters.radius_law = radius_law->of(parameters.mu, moment_ratio);
-  const auto [first, last] = parameters.radius_law.sampled_loads();
-  cli::UnitChecks questions;
-  questions.radii(parameters.radius_law, std::array{std::max(first, 1.0), std::min(last, std::max(first, 1.0))});
-  warn(questions.lines());
+  ask_unit(parameters.radius_law);
   return parameters;
+}
+
+void ask_unit(const RadiusLaw& law) {
+  const auto [first, last] = law.sampled_loads();
+  cli::UnitChecks questions;
+  questions.radii(law, std::array{std::max(first, 1.0), std::min(last, std::max(first, 1.0))});
+  warn(questions.lines());
 }
 
 std::string parameters_signature(bool of_patch) {

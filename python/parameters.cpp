@@ -42,7 +42,8 @@ Parameters::Parameters(std::string_view signature) {
     if (item == "*") {
       by_keyword_only = true;
     } else if (item != "self" && !item.empty()) {
-      all_.push_back({std::string(item.substr(0, item.find(':'))), item.find(" = ") == std::string_view::npos, by_keyword_only});
+      const std::string name(item.substr(0, item.find(':')));
+      all_.push_back({name, PyUnicode_InternFromString(name.c_str()), item.find(" = ") == std::string_view::npos, by_keyword_only});
     }
   }
 }
@@ -54,6 +55,13 @@ void Parameters::refuse(const std::string& what) const {
   throw nb::type_error(((function_ == "__init__" ? "" : function_ + ": ") + what + ", expected " + expected).c_str());
 }
 
+void Parameters::refuse_unknown(const std::string& name) const {
+  std::vector<std::string_view> known;
+  for (const Parameter& one : all_) known.push_back(one.name);
+  const std::string meant = did_you_mean(name, known);
+  refuse("unknown parameter '" + name + "'" + (meant.empty() ? "" : " (" + meant.substr(2) + ")"));
+}
+
 BoundArguments Parameters::bind(const nb::args& positional, const nb::kwargs& keywords, std::size_t first, bool has_self) const {
   BoundArguments given(all_.size(), keywords);
   std::size_t next = 0;
@@ -63,16 +71,14 @@ BoundArguments Parameters::bind(const nb::args& positional, const nb::kwargs& ke
     given[next++] = positional[i];
   }
   for (const auto& [key, value] : keywords) {
-    const auto name = nb::cast<std::string>(key);
-    const auto found = std::find_if(all_.begin(), all_.end(), [&](const Parameter& one) { return one.name == name; });
+    auto found = std::find_if(all_.begin(), all_.end(), [key = key](const Parameter& one) { return one.key.is(key); });
     if (found == all_.end()) {
-      std::vector<std::string_view> known;
-      for (const Parameter& one : all_) known.push_back(one.name);
-      const std::string meant = did_you_mean(name, known);
-      refuse("unknown parameter '" + name + "'" + (meant.empty() ? "" : " (" + meant.substr(2) + ")"));
+      const auto name = nb::cast<std::string>(key);
+      found = std::find_if(all_.begin(), all_.end(), [&](const Parameter& one) { return one.name == name; });
+      if (found == all_.end()) refuse_unknown(name);
     }
     nb::object& one = given[static_cast<std::size_t>(found - all_.begin())];
-    if (one.is_valid()) refuse("'" + name + "' twice");
+    if (one.is_valid()) refuse("'" + found->name + "' twice");
     one = nb::borrow(value);
   }
   if (!has_self) refuse("called on no object of its class");

@@ -33,11 +33,13 @@ class Parameters {
  private:
   struct Parameter {
     std::string name;
+    nb::handle key;  ///< the name as Python has it in calls: one object a text
     bool required;
     bool by_keyword_only;
   };
 
   [[noreturn]] void refuse(const std::string& what) const;
+  [[noreturn]] void refuse_unknown(const std::string& name) const;
 
   std::string function_;
   std::vector<Parameter> all_;

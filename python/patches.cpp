@@ -2,8 +2,6 @@
 #include "python/core.hpp"
 #include "python/parameters.hpp"
 
-#include "cli/io/unit_checks.hpp"
-
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/patch/half_spaces.hpp"
 
@@ -14,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -58,17 +55,10 @@ nb::object wrench(const PyPatch& patch, const BoundArguments& given) {
 }
 
 nb::object loads_to_hold_patch(const PyPatch& patch, const BoundArguments& given) {
-  cli::UnitChecks questions;
-  const nb::object loads =
-      of_numbers<1, 16, 4>({given[0], given[1], given[2], given[3]}, {"fx", "fy", "moment", "mu"},
-                           {ranges::finite, ranges::finite, ranges::finite, ranges::non_negative}, [&](const std::array<double, 4>& of) {
-                             const double load = load_to_hold(patch, of[3], {of[0], of[1], of[2]});
-                             questions.wrench(std::hypot(of[0], of[1]), of[2]);
-                             questions.load(load);
-                             return std::array{load};
-                           });
-  warn(questions.lines());
-  return loads;
+  return of_numbers<1, 16, 4>({given[0], given[1], given[2], given[3]}, {"fx", "fy", "moment", "mu"},
+                              {ranges::finite, ranges::finite, ranges::finite, ranges::non_negative}, [&](const std::array<double, 4>& of) {
+                                return std::array{load_to_hold(patch, of[3], {of[0], of[1], of[2]})};
+                              });
 }
 
 /// The patch, with warnings of what is odd about it.
@@ -84,7 +74,7 @@ nb::object slips(const PyPatch& patch, const BoundArguments& given) {
                                                    const PatchTwist twist = patch.slip({wrench[0], wrench[1], wrench[2]}).twist;
                                                    return std::array{twist.vx, twist.vy, twist.omega};
                                                  });
-  return nb::module_::import_("numpy").attr("stack")(twists, -1);
+  return numpy("stack")(twists, -1);
 }
 
 nb::object half_spaces_of(const PyPatch& patch, const BoundArguments& given) {
@@ -94,7 +84,7 @@ nb::object half_spaces_of(const PyPatch& patch, const BoundArguments& given) {
   const auto array = [](const auto& vectors) {
     std::vector<std::tuple<double, double, double>> numbers;
     for (const auto& [fx, fy, moment] : vectors) numbers.emplace_back(fx, fy, moment);
-    return nb::module_::import_("numpy").attr("array")(nb::cast(numbers));
+    return numpy("array")(nb::cast(numbers));
   };
   return nb::make_tuple(array(found.rows), array(found.vertices), found.share);
 }
