@@ -312,8 +312,9 @@ std::vector<std::string> PatchArgument::remarks() const {
                     std::to_string(columns) + " pixels" + (frames_in_blocks ? " in blocks" : "") +
                     ": is it one frame? columns=N[,frame=K] reads a frame a row");
   }
+  if (text.empty()) return lines;
   UnitChecks questions;
-  questions.length("patch" + (text.empty() ? text : " '" + text + "'"), across());
+  questions.length("patch '" + text + "'", across());
   const std::vector<std::string> asked = questions.lines();
   lines.insert(lines.end(), asked.begin(), asked.end());
   return lines;

@@ -34,7 +34,7 @@ struct PatchArgument {
   void remove_noise(std::optional<double> floor);
   /// Throws std::invalid_argument with text, file and the place of the error in it.
   [[nodiscard]] Patch patch() const;
-  /// What a user must know of it, and what is to be asked: "note: …", "warning: …".
+  /// What a user must know of it, and what is to be asked: "note: …", "warning: …". The unit of arrays is not asked.
   [[nodiscard]] std::vector<std::string> remarks() const;
 
  private:

@@ -179,13 +179,16 @@ def test_other_columns_are_ignored_and_every_number_broadcasts():
     assert PATCH.load_to_hold(0, 1, 0, mu=mu).tolist() == pytest.approx((1 / mu).tolist())
 
 
-def test_units_are_asked_about_in_python_too():
-    for call, asked in ((lambda: lc.Patch("rectangle:x=20,y=10"), "20 m across: is it in metres"), (lambda: lc.Patch.points([0, 20], [0, 1], [1, 1]), "20 m across"),
+def test_units_of_texts_and_traces_are_asked_about_and_of_numbers_not(recwarn):
+    for call, asked in ((lambda: lc.Patch("rectangle:x=20,y=10"), "20 m across: is it in metres"),
                         (lambda: TABLE.load_to_hold(1, 1e-3, mu=0.6, radius_law="constant:a=5"), "is the law in metres"), (lambda: lc.SoftFinger(TABLE, radius_law="constant:a=5"), "in metres"),
-                        (lambda: TABLE.load_to_hold(1, 2, mu=0.6, mu_r=0.003), "a moment of 2 N m"), (lambda: PATCH.load_to_hold(1, 0, 2, mu=0.6), "a moment of 2 N m"),
                         (lambda: lc.replay({**trace_of(4), "twist": 30.0 * np.arange(4)}, "hertz", mu=0.6, mu_r=0.002, stiffness=1000, twist_stiffness=0.036), "in radians")):
         with pytest.warns(UserWarning, match=asked):
             call()
+    for number in (1.2, 300, 4000):
+        lc.Patch.points([0, number], [0, 1], [1, 1]).load_to_hold(number, 0, number, mu=0.6)
+        TABLE.load_to_hold(number, number, mu=0.6, mu_r=0.003)
+    assert not recwarn.list
     trace = trace_of(50)
     scene = dict(mu=0.6, radius_law="constant:a=0.006", stiffness=1000, twist_stiffness=0.036)
     other = {**{name: column * 1000 for name, column in trace.items()}, "twist": trace["twist"]}
