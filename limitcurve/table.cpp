@@ -83,7 +83,7 @@ table::Source with_profile(table::Source source, const PressureLaw& law) {
   return source;
 }
 
-/// The result of `attempt(tolerance)`. If it returns nothing, throws an error with the finest tolerance that is `possible(tolerance)`.
+/// The result of `attempt(tolerance)`. If it returns nothing, throws an error with the finest power of ten that is `possible`.
 template <class Real, class Attempt, class Possible>
 BasicTable<Real> built(const std::string& name, double tolerance, const Attempt& attempt, const Possible& possible) {
   using Result = BasicTable<Real>;
@@ -95,13 +95,10 @@ BasicTable<Real> built(const std::string& name, double tolerance, const Attempt&
   const std::string failed = "table of " + name + ": a tolerance of " + format_number(tolerance) + " is not possible in " +
                              std::to_string(Result::max_bytes / 1024) + " KiB, or is finer than the curve's own error; ";
   std::vector<double> coarser;
-  for (int decade = 14; decade > 0; --decade) {
-    for (const int digit : {1, 2, 5}) coarser.push_back(digit / std::pow(10.0, decade));
-  }
-  std::erase_if(coarser, [&](double t) { return t <= tolerance || t > Result::coarsest_tolerance; });
+  for (int decade = 14; decade > 0; --decade) coarser.push_back(1 / std::pow(10.0, decade));
+  std::erase_if(coarser, [&](double t) { return t <= tolerance; });
   const auto finest = std::partition_point(coarser.begin(), coarser.end(), [&](double t) { return !possible(t); });
-  if (finest == coarser.end()) throw std::runtime_error(failed + "nor is any other");
-  throw std::runtime_error(failed + "the finest that is possible is " + format_number(*finest));
+  throw std::runtime_error(failed + (finest == coarser.end() ? "nor is any other" : format_number(*finest) + " is possible"));
 }
 
 }  // namespace
@@ -123,20 +120,22 @@ class Attempts {
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
   [[nodiscard]] std::optional<BasicTable<Real>> table(double tolerance) {
-    // Down to this tolerance the error of `forces` is small enough.
-    constexpr double quick_tolerance = 1e-12;
-    if (tolerance >= quick_tolerance && known_error_ <= std::max(quick_error, 0.01 * tolerance) * scale_) {
-      if (auto built = table::build<Real>(quick_, tolerance, preferred_bytes_)) return built;
-    }
+    if (auto built = in_double(tolerance)) return built;
     begun_ = begins(fine_, tolerance);
     return begun_ ? table::build<Real>(fine_, tolerance, preferred_bytes_) : std::nullopt;
   }
 
   /// Whether there is a table, after one has failed. If that did not begin, neither do finer ones; where the coarser ones begin is found without
-  /// building them.
-  [[nodiscard]] bool possible(double tolerance) { return begun_ ? table(tolerance).has_value() : begins(quick_, tolerance); }
+  /// building them. In double, for a refusal should not take long.
+  [[nodiscard]] bool possible(double tolerance) const { return begun_ ? in_double(tolerance).has_value() : begins(quick_, tolerance); }
 
  private:
+  [[nodiscard]] std::optional<BasicTable<Real>> in_double(double tolerance) const {
+    // Down to this tolerance the error of `forces` is small enough.
+    constexpr double quick_tolerance = 1e-12;
+    const bool suffices = tolerance >= quick_tolerance && known_error_ <= std::max(quick_error, 0.01 * tolerance) * scale_;
+    return suffices ? table::build<Real>(quick_, tolerance, preferred_bytes_) : std::nullopt;
+  }
   [[nodiscard]] bool begins(const table::Source& source, double tolerance) const {
     return tolerance * scale_ > known_error_ && table::begins<Real>(source, tolerance);
   }
