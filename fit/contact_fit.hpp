@@ -5,6 +5,7 @@
 #include "estimate.hpp"
 #include "measurements.hpp"
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ struct ContactFitOptions {
   bool fit_gamma = false;
   /// Warn of a larger contact radius [m]. The pad of a human fingertip is about 16 mm wide.
   double largest_radius = 0.008;
+  /// Of more samples `select_law` chooses the law with so many, drawn evenly over load and slip; it fits the chosen law to all.
+  std::size_t rows_of_choice = 10'000;
 };
 
 /// A model fitted to samples. Estimates, in this order:

@@ -10,8 +10,7 @@ namespace limitcurve::fit {
 
 /// One fitted (or derived) quantity.
 struct Estimate {
-  /// One of: force_max moment_max exponent kappa mu mu_r ratio radius n k c gamma chi_squared degrees_of_freedom p_value.
-  std::string name;
+  std::string name;  ///< as the function that fits lists them, such as "mu"
   double value = 0.0;
   /// Standard error, in the unit of the value; 0 for a fixed parameter, NaN in a fit to a curve, which has no noise.
   double std_error = 0.0;

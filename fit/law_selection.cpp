@@ -11,7 +11,10 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <random>
 #include <stdexcept>
+#include <tuple>
+#include <vector>
 
 namespace limitcurve::fit {
 
@@ -19,8 +22,26 @@ using internal::ContactPreparation;
 
 namespace {
 
+/// So many of the samples, evenly over load and slip, in any order of the rows the same: one of each of as many equal parts, in the order of
+/// the slips within each hundredth of the loads.
+std::vector<Sample> drawn(std::span<const Sample> samples, std::size_t count) {
+  std::vector<Sample> all(samples.begin(), samples.end());
+  const auto part = [&](std::size_t i, std::size_t parts) { return i * all.size() / parts; };
+  const auto slip = [](const Sample& sample) { return std::atan2(std::fabs(sample.moment), std::fabs(sample.force)); };
+  std::ranges::sort(all, {}, [](const Sample& sample) { return std::tuple(sample.load, sample.force, sample.moment); });
+  constexpr std::size_t groups = 100;
+  for (std::size_t i = 0; i < groups; ++i)
+    std::ranges::stable_sort(std::span(all).subspan(part(i, groups), part(i + 1, groups) - part(i, groups)), {}, slip);
+  std::minstd_rand random(1);
+  std::vector<Sample> result;
+  for (std::size_t i = 0; i < count; ++i) result.push_back(all[part(i, count) + random() % (part(i + 1, count) - part(i, count))]);
+  return result;
+}
+
 LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions& options) {
-  const ContactPreparation preparation = internal::prepare(samples, options);
+  const ContactPreparation of_all = internal::prepare(samples, options);
+  const std::size_t rows = std::min(samples.size(), options.rows_of_choice);
+  const ContactPreparation preparation = rows < samples.size() ? internal::prepare(drawn(samples, rows), options) : of_all;
   LawSelection selection;
   const std::array<ContactModel, 8> models{ContactModel::of(flat_punch()),
                                            ContactModel::of(uniform()),
@@ -42,12 +63,6 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return fits[a].report.aic < fits[b].report.aic; });
   for (const std::size_t i : order) selection.candidates.push_back(std::move(fits[i]));
   ContactFit& best = selection.candidates.front();
-  internal::check_assumptions(best, samples, models.at(order.front()), options);
-  best.report.note = internal::note_of(
-      best.model + " (best of " + std::to_string(models.size()) + " laws by AICc; the errors include the choice, but for n and k)", options,
-      samples.size() - best.report.free_parameters, preparation.with_sigma);
-  internal::include_choice(best.report, selection.candidates);
-  internal::test_scatter(best, samples, options.gamma);
   std::string rivals;
   std::string ties;
   for (const ContactFit& candidate : selection.candidates) {
@@ -59,6 +74,23 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
       ties += (ties.empty() ? "" : ", ") + candidate.model;
     }
   }
+  const std::vector<Estimate> alone = best.report.estimates;
+  internal::include_choice(best.report, selection.candidates);
+  if (rows < samples.size()) {
+    ContactFit fit = internal::fit_prepared(of_all, models.at(order.front()), options);
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+      const double of_choice = std::pow(best.report.estimates[i].std_error, 2) - std::pow(alone[i].std_error, 2);
+      double& error = fit.report.estimates.at(i).std_error;
+      if (of_choice > 0.0) error = std::sqrt(error * error + of_choice);
+    }
+    best = std::move(fit);
+  }
+  internal::check_assumptions(best, samples, models.at(order.front()), options);
+  const std::string chosen_with = rows < samples.size() ? ", with " + std::to_string(rows) + " rows drawn evenly over load and slip" : "";
+  best.report.note = internal::note_of(best.model + " (best of " + std::to_string(models.size()) + " laws by AICc" + chosen_with +
+                                           "; the errors include the choice, but for n and k)",
+                                       options, samples.size() - best.report.free_parameters, preparation.with_sigma);
+  internal::test_scatter(best, samples, options.gamma);
   if (!rivals.empty()) best.report.warnings.push_back("the data cannot distinguish " + best.model + " from " + rivals);
   if (!ties.empty()) {
     best.report.warnings.push_back(best.model + " explains the samples to the last digit, and so does " + ties +

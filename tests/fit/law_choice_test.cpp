@@ -132,6 +132,18 @@ TEST(LawChoice, RadiusThatGrowsWithTheLoadIsAlwaysWarnedOf) {
   EXPECT_LE(alarms, 0.04 * sets);
 }
 
+TEST(LawChoice, OfManyRowsSomeChooseTheLawAndAllFitIt) {
+  DataSet set = data_set(2, 0.0);
+  const auto best = [&](std::size_t rows) { return select_law(set.samples, {.rows_of_choice = rows}).candidates.front(); };
+  const Estimate all = best(1000).report.at("mu");
+  const ContactFit some = best(60);
+  EXPECT_NE(some.report.note.find("with 60 rows drawn evenly over load and slip"), std::string::npos) << some.report.note;
+  EXPECT_EQ(some.residuals.size(), set.samples.size());
+  EXPECT_NEAR(some.report.at("mu").value, all.value, all.std_error);
+  std::ranges::reverse(set.samples);
+  EXPECT_NEAR(best(60).report.at("mu").value, some.report.at("mu").value, 1e-9);
+}
+
 /// The case: Once, 80 clean slips of a = 4.35 mm P^0.257.
 TEST(LawChoice, CleanSlipsOfAGrowingRadiusAreWarnedOf) {
   Random random(1);
