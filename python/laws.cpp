@@ -11,7 +11,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace limitcurve::python {
 
@@ -22,6 +26,24 @@ nb::object evaluate_with_errors(const PyLaw& law, nb::handle c, Method method) {
     const WrenchEstimate estimate = cli::in_units(law.law->evaluate(s, method), s, 1.0, 1.0);
     return {estimate.wrench.force, estimate.wrench.moment, estimate.error.force, estimate.error.moment};
   });
+}
+
+PyLaw of_samples(std::vector<PressureSample> rows, const std::string& source, double rim) {
+  Law law = samples(rows, source, rim);
+  warn(law->remarks());
+  std::string text = law->name();
+  return {std::move(law), std::move(text), std::move(rows)};
+}
+
+/// The pressures at radii that are dense at the rim, where pressures are steep.
+PyLaw of_function(nb::handle pressure) {
+  constexpr int gaps = 5000;
+  std::vector<PressureSample> rows;
+  for (int i = 0; i <= gaps; ++i) {
+    const double radius = std::sin(i * std::numbers::pi / (2 * gaps));
+    rows.push_back({radius, number_of(pressure(radius), "pressure")});
+  }
+  return of_samples(std::move(rows), "function", 0.0);
 }
 
 }  // namespace
@@ -59,15 +81,21 @@ void add_laws(nb::module_& module) {
       .def_prop_ro(
           "name", [](const PyLaw& self) { return self.law->name(); }, "The law in words.");
   define<PyLaw*>(
-      type, "def __init__(self, text: str) -> None",
+      type, "def __init__(self, text: str | collections.abc.Callable[[float], float]) -> None",
       [](PyLaw* self, const BoundArguments& given) {
+        if (PyCallable_Check(given[0].ptr())) return static_cast<void>(new (self) PyLaw(of_function(given[0])));
         std::string text = string_of(given[0], "text");
         std::vector<PressureSample> profile;
         Law law = cli::read_law(text, profile);
         warn(law->remarks());
         new (self) PyLaw{std::move(law), std::move(text), std::move(profile)};
       },
-      "ValueError names the error in the text or in the file, and the expected input.");
+      "From a text: ValueError names the error in it or in its file, and the expected input. From a function: its pressure [any unit] at\n"
+      "radii from 0 to 1, the rim, at 5001 of them; to 1e-12 if it is smooth, and `profile_error` bounds the error.\n\n"
+      ">>> import limitcurve as lc\n"
+      ">>> law = lc.Law(lambda radius: (1 - radius**2) ** 0.5)\n"
+      ">>> abs(law.evaluate(1)[0] - lc.Law('hertz').evaluate(1)[0]) < 1e-12 < law.profile_error < 1e-9\n"
+      "True\n");
   define_static(
       type,
       "def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays', rim: float | None = None) -> "
@@ -76,10 +104,7 @@ void add_laws(nb::module_& module) {
         const auto all = columns_of("", {"radius", "pressure"}, nb::list(nb::make_tuple(given[0], given[1])));
         std::vector<PressureSample> rows;
         for (std::size_t i = 0; i < all[0].size; ++i) rows.push_back({all[0].data[i], all[1].data[i]});
-        Law law = samples(rows, string_of(given[2], "source", "arrays"), given[3].is_none() ? 0.0 : number_of(given[3], "rim"));
-        warn(law->remarks());
-        std::string text = law->name();
-        return PyLaw{std::move(law), std::move(text), std::move(rows)};
+        return of_samples(std::move(rows), string_of(given[2], "source", "arrays"), given[3].is_none() ? 0.0 : number_of(given[3], "rim"));
       },
       "A measured profile: pressures [any unit] at increasing radii [any unit]. `rim` is the radius, in that unit, that the contact\n"
       "radius stands for; without it the last radius with pressure. Negative pressures are noise, and tell its size. Warns of what was\n"

@@ -89,6 +89,12 @@ nb::object half_spaces_of(const PyPatch& patch, const BoundArguments& given) {
   return nb::make_tuple(array(found.rows), array(found.vertices), found.share);
 }
 
+/// Two lengths as they are typed.
+std::string sides(nb::handle first, const char* first_name, nb::handle second, const char* second_name) {
+  return std::string(first_name) + "=" + format_number(number_of(first, first_name)) + "," + second_name + "=" +
+         format_number(number_of(second, second_name));
+}
+
 /// A kind of patch from columns of numbers.
 PyPatch of_columns(const char* kind, const std::vector<std::string>& names, const nb::list& columns) {
   const auto all = columns_of("", names, columns);
@@ -180,6 +186,25 @@ void add_patches(nb::module_& module) {
       type, "def __init__(self, text: str) -> None",
       [](PyPatch* self, const BoundArguments& given) { new (self) PyPatch(asked(cli::parse_patch(string_of(given[0], "text")))); },
       "ValueError names the error in the text or in the file, and the expected input.");
+  define_static(
+      type, "def rectangle(x: float, y: float) -> Patch",
+      [](const BoundArguments& given) { return PyPatch(cli::parse_patch("rectangle:" + sides(given[0], "x", given[1], "y"))); },
+      "Uniform pressure on a rectangle with these sides [m].");
+  define_static(
+      type, "def ellipse(law: str | Law, a: float, b: float) -> Patch",
+      [](const BoundArguments& given) {
+        const std::string semi_axes = sides(given[1], "a", given[2], "b");
+        const bool is_law = nb::isinstance<PyLaw>(given[0]);
+        const std::string law = is_law ? nb::cast<const PyLaw&>(given[0]).text : string_of(given[0], "law");
+        cli::PatchArgument made = cli::parse_patch("ellipse:law=" + (is_law ? "hertz" : law) + "," + semi_axes);
+        if (is_law) {
+          made.law = law;
+          made.profile = nb::cast<const PyLaw&>(given[0]).profile;
+          made.text = "ellipse:law=" + law + "," + semi_axes;
+        }
+        return PyPatch(std::move(made));
+      },
+      "A pressure law stretched to an ellipse with these semi-axes [m].");
   define_static(
       type, "def points(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, load: numpy.typing.ArrayLike) -> Patch",
       [](const BoundArguments& given) {

@@ -7,7 +7,7 @@
 >>> finger = lc.SoftFinger(table, mu=0.6, radius_law="constant:a=0.006", stiffness=1000, twist_stiffness=0.036)
 
 Functions that return tables (`validate`, `choose`, `fit`, `translate`, `replay`, `run`) give a dict of arrays with the command
-line's columns. Wrong input raises a ValueError with the command line's message, a failed job a RuntimeError. SI units throughout.
+line's columns, which prints as a table and has its rows as attributes: fit.mu, fit.mu_r.std_error. Wrong input raises a ValueError with the command line's message, a failed job a RuntimeError. SI units throughout.
 `limitcurve.plot` draws with matplotlib; `limitcurve.arrays` and `limitcurve.warp` are friction for JAX, torch and kernels of Warp.
 """
 
@@ -30,6 +30,7 @@ from ._core import (
     require_passive,
     version as __version__,
 )
+from ._radius_law import RadiusLaw
 from ._tables import Fit, choose, fit, replay, run, translate, validate
 
 
@@ -51,6 +52,7 @@ __all__ = [
     "FrictionResult",
     "Law",
     "Patch",
+    "RadiusLaw",
     "SoftFinger",
     "Table",
     "__version__",

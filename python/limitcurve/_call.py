@@ -16,8 +16,48 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._core import Law, columns_of, numbers_of
 
-Columns: TypeAlias = dict[str, NDArray[Any]]
-"""A table: its columns by name, arrays of one length."""
+class Row(float):
+    """The number in the row's column `value`; all its columns are attributes."""
+
+    def __new__(cls, columns: Mapping[str, Any]) -> Row:
+        row = super().__new__(cls, columns.get("value", np.nan))
+        row.__dict__.update(columns)
+        return row
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Row, (self.__dict__,)
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(f"no {name!r}, expected {', '.join(self.__dict__)}")
+
+
+class Columns(dict[str, NDArray[Any]]):
+    """A table: its columns by name, arrays of one length. An attribute is the row of that parameter, model, law or engine, or that is
+    `chosen`: fit.mu_r.std_error, choice.chosen.model, numbers.mujoco.torsional; of several rows it is the table. print() aligns."""
+
+    @property
+    def table(self) -> dict[str, NDArray[Any]]:
+        """The columns alone."""
+        return dict(self)
+
+    def __getattr__(self, name: str) -> Any:
+        known: list[str] = []
+        for key in ("parameter", "model", "law", "engine", "chosen"):
+            if name.startswith("_") or key not in self:
+                continue
+            words = [key * bool(one) if key == "chosen" else re.sub(r"\W", "_", str(one)) for one in self[key]]
+            rows = np.array([word == name for word in words])
+            if rows.any():
+                some = Columns({column: values[rows] for column, values in self.items()})
+                return Row({column: values[0] for column, values in some.items()}) if rows.sum() == 1 else some
+            known += dict.fromkeys(filter(str.isidentifier, words))
+        raise AttributeError(f"no {name!r}, expected {', '.join(known)}")
+
+    def __str__(self) -> str:
+        texts = [[name] + [f"{one:.4g}" if isinstance(one, float) else str(one) for one in values.tolist()] for name, values in self.items() if name != "note"]
+        columns = [[text.ljust(max(map(len, column))) for text in column] for column in texts]
+        return "\n".join(["  ".join(row).rstrip() for row in zip(*columns)] + list(filter(None, dict.fromkeys(map(str, self.get("note", ()))))))
+
 
 Data: TypeAlias = "str | os.PathLike[str] | Mapping[str, ArrayLike] | Any"
 """A file, or columns by name: a dict of arrays, a pandas DataFrame, a structured array. Rows with a masked number are left out, with a warning."""
@@ -106,7 +146,7 @@ class Call:
         """Warnings are Python's; other lines go to `notes`, without it to standard error."""
         said: list[str] = []
         try:
-            return _core.run(self.words, self.memory, said)
+            return Columns(_core.run(self.words, self.memory, said))
         except ValueError as error:
             raise ValueError(_in_python(str(error))) from None
         finally:

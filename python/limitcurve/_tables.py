@@ -25,8 +25,9 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 def _check_keywords(function: _Function) -> _Function:
     """Names an unknown keyword, and the one that was meant."""
-    known = [name for name in inspect.signature(function).parameters if name != "finger"]
-    if len(known) < len(inspect.signature(function).parameters):
+    parameters = inspect.signature(function).parameters
+    known = [name for name in parameters if name not in ("cls", "finger")]
+    if "finger" in parameters:
         known += finger_parameter_table
 
     @functools.wraps(function)

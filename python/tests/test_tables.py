@@ -2,8 +2,10 @@
 """The functions that return tables give the command line's numbers, to the last bit, and its messages."""
 
 import os
+import pickle
 import subprocess
 import sys
+import warnings
 
 import numpy as np
 import limitcurve as lc
@@ -181,3 +183,40 @@ def test_a_reader_that_leaves_ends_the_command_silently():
     call = f"{sys.executable} -m limitcurve curve --law hertz --points 200000 | head -1"
     done = subprocess.run(call, shell=True, capture_output=True, text=True, check=True)
     assert (done.stdout.count("\n"), done.stderr) == (1, "")
+
+
+def test_rows_are_attributes_and_tables_print():
+    fit = lc.fit("ratio", {"load": [1.0, 1, 2, 2], "force": [0.6, 0.02, 1.21, 0.03], "moment": [0, 2.1e-3, 0, 4.3e-3]}, law="hertz", quiet=True)
+    row = fit["parameter"].tolist().index("mu_r")
+    for found in (fit, pickle.loads(pickle.dumps(fit))):
+        assert (found.mu_r, found.mu_r.std_error, found.mu_r.unit) == (fit["value"][row], fit["std_error"][row], "m")
+    assert type(fit.table) is dict and fit.table == dict(fit)
+    lines = str(fit).splitlines()
+    assert lines[0].split() == ["parameter", "value", "std_error", "unit"] and lines[1].split()[:2] == ["mu", f"{fit.mu:.4g}"] and lines[-1] == fit.note
+    choice, engines = lc.choose("hertz", 0.1), lc.translate("hertz", lc.RadiusLaw.constant(0.006), mu=0.6, load=2)
+    assert choice.chosen.error < 0.1 and choice.ellipse.error == lc.validate("hertz").ellipse.max_error
+    assert set(engines.mujoco["engine"]) == {"mujoco"}
+    with pytest.raises(AttributeError, match="^no 'nu', expected mu, mu_r"):
+        fit.nu
+
+
+def test_objects_from_numbers_stand_for_texts():
+    table = lc.Table("hertz", 1e-8)
+    load = np.linspace(0.5, 4, 20)
+    moment = 0.6 * table.moment_ratio * 0.002 * load**1.3
+    hold = lambda law: table.load_to_hold(1.0, 2e-3, mu=0.6, radius_law=law)
+    for law, text in ((lc.RadiusLaw.constant(0.006), "constant:a=0.006"), (lc.RadiusLaw.hertz(0.008, E=2e5), "hertz:R=0.008,E=2e5"), (lc.RadiusLaw.power(0.002, 0.3), "power:c=0.002,gamma=0.3"),
+                      (lc.RadiusLaw.samples(load, 0.002 * load**0.3), "power:c=0.002,gamma=0.3"), (lc.RadiusLaw.moments(load, moment), "power:c=0.002,gamma=0.3")):
+        assert hold(law) == pytest.approx(hold(text), rel=1e-4)
+        step = [lc.SoftFinger(table, mu=0.6, radius_law=one).update((0, 0, 0), (0, 0, 1), 0.002, 0.0).load for one in (law, text)]
+        assert step[0] == step[1] and lc.translate("hertz", law, mu=0.6, load=2)["value"] == pytest.approx(lc.translate("hertz", text, mu=0.6, load=2)["value"], rel=1e-4)
+    assert repr(lc.Patch.rectangle(0.02, 0.01)) == repr(lc.Patch("rectangle:x=0.02,y=0.01"))
+    law = lc.Law(lambda radius: 1 - radius**2)
+    assert lc.Patch.ellipse(law, 0.004, b=0.002).moment_ratio == pytest.approx(lc.Patch("ellipse:law=parabolic,a=0.004,b=0.002").moment_ratio, rel=1e-9)
+    assert np.abs(np.subtract(law.evaluate([0, 0.3, 1, 3]), lc.Law("parabolic").evaluate([0, 0.3, 1, 3]))).max() < 1e-12 and law.profile_error < 1e-12
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        lc.SoftFinger(table, radius_law=lc.RadiusLaw.constant(5)), lc.Patch.rectangle(20, 10)
+    for wrong, told in ((lambda: lc.RadiusLaw.constant("x"), "^a: got 'x'"), (lambda: lc.Patch.rectangle(-1, 1), "x"), (lambda: lc.Law(lambda radius: "x"), "^pressure: got 'x'")):
+        with pytest.raises(ValueError, match=told):
+            wrong()
