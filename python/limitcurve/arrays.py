@@ -20,7 +20,7 @@ import numpy as np
 
 from ._core import Table
 
-newton_steps = 12  # 8 may be off by 6e-6
+newton_steps = 12  # 8 may be off by 1e-3
 part_size = 10_000
 Cells = NamedTuple("Cells", [("inside", Any), ("outside", Any), ("rows", Any)])  # where cells begin on each side of the rim; (x, c0 ... c6) of all
 
