@@ -134,7 +134,11 @@ TEST(LawChoice, RadiusThatGrowsWithTheLoadIsAlwaysWarnedOf) {
 
 TEST(LawChoice, OfManyRowsSomeChooseTheLawAndAllFitIt) {
   DataSet set = data_set(2, 0.0);
-  const auto best = [&](std::size_t rows) { return select_law(set.samples, {.rows_of_choice = rows}).candidates.front(); };
+  const auto best = [&](std::size_t rows) {
+    ContactFitOptions options;
+    options.rows_of_choice = rows;
+    return select_law(set.samples, options).candidates.front();
+  };
   const Estimate all = best(1000).report.at("mu");
   const ContactFit some = best(60);
   EXPECT_NE(some.report.note.find("with 60 rows drawn evenly over load and slip"), std::string::npos) << some.report.note;
