@@ -187,7 +187,7 @@ void add_finger_types(nb::module_& module) {
       [parameters = Parameters(of_patch)](PyFinger* self, nb::handle_t<PyPatch> patch, const nb::args& others, const nb::kwargs& given) {
         if (given.contains("radius_law") || given.contains("projection"))
           throw std::invalid_argument("radius_law, projection: not with a Patch, which has its own size and the closest point");
-        parameters.bind(nb::borrow<nb::args>(nb::make_tuple(patch) + others), given);
+        static_cast<void>(parameters.bind(nb::borrow<nb::args>(nb::make_tuple(patch) + others), given));
         const auto& on = nb::cast<const PyPatch&>(patch);
         const nb::object radius = given.contains("point_radius") ? given["point_radius"] : nb::object(nb::float_(0.0));
         new (self) PyFinger(SoftFinger(on, parameters_of(given, on.moment_ratio()), number_of(radius, "point_radius")), patch, given);
