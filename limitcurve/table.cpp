@@ -98,7 +98,8 @@ BasicTable<Real> built(const std::string& name, double tolerance, const Attempt&
   for (int decade = 14; decade > 0; --decade) coarser.push_back(1 / std::pow(10.0, decade));
   std::erase_if(coarser, [&](double t) { return t <= tolerance; });
   const auto finest = std::partition_point(coarser.begin(), coarser.end(), [&](double t) { return !possible(t); });
-  throw std::runtime_error(failed + (finest == coarser.end() ? "no power of ten was found that is" : format_number(*finest) + " is possible"));
+  throw std::runtime_error(failed +
+                           (finest == coarser.end() ? "no power of ten was found that is" : format_number(*finest) + " is possible"));
 }
 
 }  // namespace
