@@ -49,10 +49,11 @@ def c_names():
 
 def python_names():
     sources = "".join(text("python", name) for name in ("fingers.cpp", "batches.cpp"))
-    found = set(re.findall(r'(?:nb::arg|def_ro|def_prop_ro|add_view|\.def|contact_signature)\(\s*"(\w+)"', sources))
+    found = set(re.findall(r'(?:nb::arg|def_ro|def_prop_ro|add_view|\.def|step_signature)\(\s*"(\w+)"', sources))
+    found.update(*re.findall(r'define_step<.*?>\(\s*type, "(\w+)", "(\w+)"', sources))
     for name, signature in re.findall(r'"def (\w+)\((.*?)\) ->', re.sub(r'"\s*\n\s*"', "", sources)):
         found |= {name, *re.findall(r"(\w+): ", signature)}
-    found |= set(re.findall(r"(\w+): ", re.search(r"string contact_signature\(.*?\n\}", sources, re.DOTALL)[0]))
+    found |= set(re.findall(r"(\w+): ", re.search(r"string step_signature\(.*?\n\}", sources, re.DOTALL)[0]))
     found |= set(re.findall(r'\{"(\w+)",\s*&FingerParameters', text("godobject", "finger", "finger_parameter_table.hpp"))) | {"radius_law", "projection"}
     for node in ast.parse(text("python", "limitcurve", "_tables.py")).body:
         if isinstance(node, ast.FunctionDef) and node.name in ("replay", "choose"):
