@@ -45,8 +45,8 @@ def test_curves_draw_on_the_axes_given():
 
 def test_errors_of_approximations():
     ax = lc.plot.approximation_errors(["hertz", "uniform"])
-    assert len(ax.patches) == 2 * 2 * 5
-    assert max(bar.get_height() for bar in ax.patches[:5]) == pytest.approx(100 * lc.validate("hertz")["max_over_estimate"].max())
+    assert len(ax.patches) == 2 * 2 * 6
+    assert max(bar.get_height() for bar in ax.patches[:6]) == pytest.approx(100 * lc.validate("hertz")["max_over_estimate"].max())
 
 
 def test_a_replay_stays_within_its_limit(data):
