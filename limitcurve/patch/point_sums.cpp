@@ -25,9 +25,8 @@ struct LaneSums {
   double inverse[lanes] = {};  ///< Σ w/√(|u|² + s²)
 };
 
-LIMITCURVE_WIDE void add_blocks(const double* __restrict x, const double* __restrict y, const double* __restrict weight,
-                                std::size_t blocks, double vx, double vy, double omega, double softness,
-                                LaneSums* __restrict sums) noexcept {
+LIMITCURVE_WIDE void add_blocks(const double* __restrict x, const double* __restrict y, const double* __restrict weight, std::size_t blocks,
+                                double vx, double vy, double omega, double softness, LaneSums* __restrict sums) noexcept {
   for (std::size_t block = 0; block < blocks; ++block) {
     for (std::size_t k = 0; k < lanes; ++k) {
       const std::size_t i = block * lanes + k;
