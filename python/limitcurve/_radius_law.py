@@ -24,7 +24,7 @@ class RadiusLaw(str):
     @_check_keywords
     def __new__(cls, text: str) -> RadiusLaw:
         if not isinstance(text, str):
-            raise ValueError(f"text: got {text!r}, expected a text, such as 'constant:a=0.005'")
+            raise ValueError(f"text: got {text!r}, expected a str, such as 'constant:a=0.005'")
         return super().__new__(cls, text)
 
     @staticmethod
