@@ -68,6 +68,13 @@ TEST(UniformWear, HasItsClosedForms) {
   near(law->evaluate(1.0).wrench.moment, (3 - 2 * catalan) / (2 * pi));
   for (const double s : {1e-9, 0.9e-20, 1.1e-20, 1e-300}) near(law->evaluate(s).wrench.force, s / 2 * (std::log(4 / s) + 0.5));
   for (const double s : {1e9, 1e100}) near(law->evaluate(s).wrench.moment, 1 / (6 * s));
+  // Between them eq. (17) as printed.
+  for (const double s : {0.01, 0.5, 0.9, 1.1, 3.0}) {
+    const WrenchEstimate printed = law->evaluate(s, Method::direct);
+    EXPECT_NEAR(law->evaluate(s).wrench.force, printed.wrench.force, printed.error.force + 1e-15) << s;
+    EXPECT_NEAR(law->evaluate(s).wrench.moment, printed.wrench.moment, printed.error.moment + 1e-15) << s;
+    EXPECT_LT(printed.error.force, 1e-8) << s;
+  }
 }
 
 // Far from the contact the force is the whole load.
@@ -141,6 +148,7 @@ TEST(ReferenceFile, CoversEveryKindOfLaw) {
   const auto laws = reference_laws();
   for (const std::string_view example : law_examples()) {
     const std::string_view kind = example.substr(0, example.find(':'));
+    if (kind == "uniform-wear") continue;  // its slope at 0 is infinite: UniformWear.HasItsClosedForms
     EXPECT_TRUE(std::any_of(laws.begin(), laws.end(), [&](const std::string& law) { return law.substr(0, law.find(':')) == kind; }))
         << kind;
   }

@@ -40,11 +40,11 @@ TEST(OwnCurve, IsToldWhichRequirementItBreaks) {
       {[](double v, double w) {
          return v > 0.4 ? UnitWrench{nan, 0.1} : ellipse(v, w, 0.6);
        },
-       "no finite number >= 0"},
+       "is not a finite number >= 0"},
       {[](double v, double w) {
          return UnitWrench{ellipse(v, w, 0.6).force, -ellipse(v, w, 0.6).moment};
        },
-       "no finite number >= 0"},
+       "is not a finite number >= 0"},
       {[](double v, double w) {
          return v > w ? UnitWrench{1.0, 0.3} : UnitWrench{0.4, 0.9};
        },

@@ -28,9 +28,9 @@ Replay replay() {
 }
 
 #ifdef WRONG
-SoftFinger of_law = SoftFinger(hertz(), {.mu = 0.6});    // wrong: not a pressure law: write Table::build(law, 1e-6)
+SoftFinger of_law = SoftFinger(hertz(), {.mu = 0.6});    // wrong: not a pressure law: write Table::build(law)
 const Law law = parse_law("power:n=2");                  //
-FloatBatch float_of_law = FloatBatch(law, {.mu = 0.6});  // wrong: not a pressure law: write Table::build(law, 1e-6)
+FloatBatch float_of_law = FloatBatch(law, {.mu = 0.6});  // wrong: not a pressure law: write Table::build(law)
 const auto& state = finger().state();                    // wrong: deleted
 const auto& curve = finger().curve();                    // wrong: deleted
 const auto& parameters = finger().parameters();          // wrong: deleted
