@@ -129,11 +129,12 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
         pieces_(cubics(profile, source, rim_, named_rim > 0.0)) {
     for (const Piece& piece : pieces_.pieces()) breaks_.push_back(piece.left);
     breaks_.push_back(named_rim > 0.0 ? pieces_.pieces().back().left + pieces_.pieces().back().width : 1);
-    const CubicPieces coarse = cubics(coarser(profile), source, rim_, named_rim > 0.0);
     double highest = 0.0;
     for (const PressureSample& sample : profile) highest = std::max(highest, sample.pressure);
     // If gaps double, an error of order p changes by 2ᵖ − 1 times itself: p ≥ 1, but 1/2 if the pressure is unbounded at the rim.
-    const double safety = profile.back().pressure > 0.5 * highest ? 6.0 : 3.0;
+    const bool high_rim = profile.back().pressure > 0.5 * highest;
+    const double safety = high_rim ? 6.0 : 3.0;
+    const CubicPieces coarse = cubics(coarser(profile, high_rim ? 1.0 / 6.0 : 1.0 / 3.0), source, rim_, named_rim > 0.0);
     constexpr std::size_t most_cells = 64;
     const std::size_t pieces = breaks_.size() - (profile.back().radius < rim_ ? 2 : 1);  // without the last, which is empty
     const std::size_t pieces_per_cell = (pieces + most_cells - 1) / most_cells;
@@ -231,9 +232,11 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
 
   /// The profile with samples left out, so that each gap is about twice as wide as the widest gap of the profile within it, or wider: of even
   /// radii every other sample. A narrow gap beside a wide one tells nothing about it. The ends of each run between jumps stay; gaps are merged from
-  /// the run's outer end, and what is left at its inner end joins the last. A run with a gap wider than a third of it has too little to
-  /// compare with: each gap becomes constant at its higher pressure, which is as far from it as any profile that does not overshoot.
-  static std::vector<PressureSample> coarser(std::span<const PressureSample> profile) {
+  /// the run's outer end, and what is left at its inner end joins the last. A run with a gap wider than the share `widest_share` of it has too
+  /// little to compare with (if the pressure may be unbounded at the rim, a sixth: a wide last gap between a nearly constant pressure and a
+  /// high one is much the same twice as wide): each gap becomes constant at its higher pressure, as far from it as any profile that does not
+  /// overshoot.
+  static std::vector<PressureSample> coarser(std::span<const PressureSample> profile, double widest_share) {
     constexpr double about_twice = 1.8;
     constexpr double rounding = 1e-9;  // of radii that are meant to be even
     std::vector<PressureSample> kept;
@@ -250,7 +253,7 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
         places.push_back(i);
         widest = 0.0;
       }
-      if (3.0 * widest_of_run > (1.0 + rounding) * (profile[last].radius - profile[begin].radius)) {
+      if (widest_of_run > (1.0 + rounding) * widest_share * (profile[last].radius - profile[begin].radius)) {
         for (std::size_t i = begin; i < last; ++i) {
           const double higher = std::max(profile[i].pressure, profile[i + 1].pressure);
           kept.insert(kept.end(), {{profile[i].radius, higher}, {profile[i + 1].radius, higher}});
