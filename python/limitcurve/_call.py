@@ -8,6 +8,7 @@ import re
 import sys
 import warnings
 from collections.abc import Iterable, Mapping
+from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -20,7 +21,7 @@ class Row(float):
     """The number in the row's column `value`; all its columns are attributes."""
 
     def __new__(cls, columns: Mapping[str, Any]) -> Row:
-        row = super().__new__(cls, columns.get("value", np.nan))
+        row = super().__new__(cls, columns["value"])
         row.__dict__.update(columns)
         return row
 
@@ -37,20 +38,25 @@ class Columns(dict[str, NDArray[Any]]):
 
     @property
     def table(self) -> dict[str, NDArray[Any]]:
-        """The columns alone."""
-        return dict(self)
+        """The columns alone; of `choose` the row of the table."""
+        return self.__getattr__("table") if "table" in self.get("model", ()) else dict(self)
 
     def __getattr__(self, name: str) -> Any:
         known: list[str] = []
         for key in ("parameter", "model", "law", "engine", "chosen"):
-            if name.startswith("_") or key not in self:
+            if name.startswith("_") or key not in self or self[key].dtype.kind == "f":
                 continue
             words = [key * bool(one) if key == "chosen" else re.sub(r"\W", "_", str(one)) for one in self[key]]
             rows = np.array([word == name for word in words])
             if rows.any():
                 some = Columns({column: values[rows] for column, values in self.items()})
-                return Row({column: values[0] for column, values in some.items()}) if rows.sum() == 1 else some
+                if rows.sum() > 1:
+                    return some
+                row = {column: values[0] for column, values in some.items()}
+                return Row(row) if "value" in row else SimpleNamespace(**row)
             known += dict.fromkeys(filter(str.isidentifier, words))
+        if name in self:
+            raise AttributeError(f"{name!r} is a column: [{name!r}]")
         raise AttributeError(f"no {name!r}, expected {', '.join(known)}")
 
     def __str__(self) -> str:

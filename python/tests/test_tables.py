@@ -195,9 +195,12 @@ def test_rows_are_attributes_and_tables_print():
     assert lines[0].split() == ["parameter", "value", "std_error", "unit"] and lines[1].split()[:2] == ["mu", f"{fit.mu:.4g}"] and lines[-1] == fit.note
     choice, engines = lc.choose("hertz", 0.1), lc.translate("hertz", lc.RadiusLaw.constant(0.006), mu=0.6, load=2)
     assert choice.chosen.error < 0.1 and choice.ellipse.error == lc.validate("hertz").ellipse.max_error
+    assert choice.table.model == "table" and not isinstance(choice.table, float)
     assert set(engines.mujoco["engine"]) == {"mujoco"}
     with pytest.raises(AttributeError, match="^no 'nu', expected mu, mu_r"):
         fit.nu
+    with pytest.raises(AttributeError, match="^'value' is a column"):
+        fit.value
 
 
 def test_objects_from_numbers_stand_for_texts():
