@@ -63,7 +63,7 @@ def curves(files):
     validate: `validate`. ellipse_error: law; angle of the wrench in the normalised plane, 0 pure force
     [rad]; over_estimate, radius of the ellipse through the limits over that of the curve, less 1;
     cor_ratio, distance of the centre of rotation by the ellipse over the true one, nan at the ends."""
-    files.gather("laws", [({}, ["laws"])])
+    files.write("laws", [row for row in files.command.rows("laws") if row["law"] in files.moment_ratios])
     laws = list(files.moment_ratios)
     points = files.gather("curves", [({"law": law}, ["curve", "--law", law, "--points", 181]) for law in laws])
     error = []
