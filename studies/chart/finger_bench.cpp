@@ -12,9 +12,6 @@
 #include "motion.hpp"
 #include "workload.hpp"
 
-#include "godobject/batch/batch.hpp"
-#include "limitcurve/patch/patch.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
