@@ -61,7 +61,11 @@ template <LimitCurve Curve>
 EndTurns end_turns(const Curve& curve) {
   const SlopedPoint spin = curve.point({0.0, 1.0});
   const SlopedPoint slide = curve.point({1.0, 0.0});
-  return {std::fabs(spin.slope.force) / spin.wrench.moment, std::fabs(slide.slope.moment) / slide.wrench.force};
+  // A slope that still grows so near to pure spin grows without bound: a pressure that is infinite at the centre (uniform-wear).
+  const double slope = std::fabs(spin.slope.force);
+  const bool is_infinite = slope > 1.5 * std::fabs(curve.point({1e-100, 1.0}).slope.force);
+  return {is_infinite ? std::numeric_limits<double>::infinity() : slope / spin.wrench.moment,
+          std::fabs(slide.slope.moment) / slide.wrench.force};
 }
 
 /// f ≈ s/σ_f near pure spin, m ≈ m₀σ_m/s near pure sliding.
@@ -83,8 +87,8 @@ Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 
 }  // namespace detail
 
-/// Zhuravlev's model with the ends of `exact`, whose force_max is 1; of no use if the force of `exact` rises infinitely steeply from a pure
-/// spin (uniform-wear).
+/// Zhuravlev's model with the ends of `exact`, whose force_max is 1; its force_cor is 0, and the model of no use, if the force of `exact` rises
+/// infinitely steeply from a pure spin (uniform-wear).
 template <LimitCurve Exact>
 PadeModel pade_model(const Exact& exact) {
   const double m0 = exact.moment_ratio();
@@ -105,7 +109,8 @@ CurveError curve_error(const Model& model, const Exact& exact) {
   };
   const auto [exact_spin, exact_slide] = detail::end_turns(exact);
   const auto [model_spin, model_slide] = detail::end_turns(model);
-  return detail::curve_error(compare, intercepts, exact_spin / model_spin, model_slide / exact_slide);
+  const double near_spin = exact_spin == model_spin ? 1.0 : exact_spin / model_spin;  // both may be infinite
+  return detail::curve_error(compare, intercepts, near_spin, model_slide / exact_slide);
 }
 
 /// The ellipse inside the exact curve whose largest error is least; both semi-axes are free. It

@@ -80,6 +80,20 @@ double xydas_kao_moment(double k, double j) {
 }
 
 // Once the error was inf for k = 0.1 (truth 2.843), and for the Gaussian it depended on the unit of length (truth 0.5708).
+// A pressure that is infinite at the centre: the true COR over that of the wrench on an ellipse falls as 1/log(1/s).
+TEST(CurveError, OfTheCentreOfRotationHasNoBoundWhereThePressureIsInfinite) {
+  for (const char* name : {"uniform-wear", "mix:0.1*uniform-wear+0.9*hertz"}) {
+    const ExactCurve exact(parse_law(name));
+    const Ellipse ellipse = Ellipse::through_intercepts(exact.moment_ratio());
+    const auto ratio = [&](double s) { return ellipse.along(exact.wrench(SlipTwist::about_cor(s))).normal.cor() / s; };
+    EXPECT_GT(ratio(1e-40) / ratio(1e-20), 1.5) << name;
+    EXPECT_GT(ratio(1e-80) / ratio(1e-40), 1.7) << name;
+    EXPECT_EQ(curve_error(ellipse, exact).max_cor_error, std::numeric_limits<double>::infinity()) << name;
+    EXPECT_NEAR(curve_error(exact, exact).max_cor_ratio, 1.0, 1e-12) << name;
+    EXPECT_EQ(pade_model(exact).force_cor(), 0.0) << name;
+  }
+}
+
 TEST(CurveError, DoesNotDependOnUnitsOfLength) {
   const auto error_of = [](const Law& law) { return curve_error(Ellipse::through_intercepts(law->moment_ratio()), ExactCurve(law)); };
   const CurveError metre = error_of(gaussian(1.0));
