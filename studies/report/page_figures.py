@@ -50,11 +50,12 @@ def human_fingers(limitcurve):
 
 def when_a_table_pays(limitcurve):
     materials = Table.read(Path(__file__).resolve().parents[2] / "data" / "materials.csv")
-    errors = {name: [error for model, error in zip(column(limitcurve, "model", "validate", kind=str), column(limitcurve, name, "validate")) if model == "ellipse"]
-              for name in ("max_over_estimate", "max_cor_error")}
+    laws, models = (column(limitcurve, name, "validate", kind=str) for name in ("law", "model"))
+    errors = {name: [error for law, model, error in zip(laws, models, column(limitcurve, name, "validate")) if model == "ellipse" and law != "uniform-wear"]
+              for name in ("max_over_estimate", "max_cor_error")}  # uniform-wear: of no fingertip
     (m0, moment), (_, force) = (column(limitcurve, name, "eval", "--law", "hertz", "--c", "0,1") for name in ("moment", "force"))
     radial = [math.hypot(1 / math.hypot(1, kappa * m0) - force, kappa * m0 / math.hypot(1, kappa * m0) - moment / m0) for kappa in (1, 10)]
-    bars = [("scatter of fingers, Table 1 (SD)", FAINT, [row[f"{name}_sd"] / row[name] for row in materials for name in ("mu", "mu_r", "ratio")]),
+    bars = [("scatter of fingers, Table 1 (SD)", FAINT, [row[f"{name}_sd"] / row[name] for row in materials for name in ("mu", "mu_r")]),
             ("ellipse: load", BLUE, errors["max_over_estimate"]), ("ellipse: centre of rotation", VERMILION, errors["max_cor_error"]),
             ("radial projection, κ = 1 to 10", ORANGE, radial)]
     figure, axes = plt.subplots(figsize=(6.4, 1.9), layout="constrained")
@@ -100,7 +101,7 @@ def log_slips(_):
         axes.plot(time, values, color=colour, linewidth=0.8, label=label)
         axes.plot([time[i] for i in slips], [values[i] for i in slips], ".", color=INK, markersize=1.5, label="slips" if colour == BLUE else None)
     axes.legend(loc="upper left", ncols=3)
-    axes.set(title="A row is a slip if its wrench no longer grows", xlabel="time [s]", xlim=(0, time[-1]), ylim=(-10, 14))
+    axes.set(title="A row is a slip if its wrench no longer grows", xlabel="time [s]", xlim=(0, time[-1]), ylim=(-14, 16))
     return figure
 
 
