@@ -13,7 +13,6 @@ namespace limitcurve::godobject::test {
 enum class Integrator {
   implicit_euler,    ///< Grasp's own
   symplectic_euler,  ///< position from the new velocity: loses the grip at kΔt²/m > 4, undamped
-  explicit_euler,    ///< position from the old velocity, velocity from the old forces: gains energy at every stiffness
 };
 
 /// A body's velocities after a step [s] under a force [N] and a moment about the centre of mass [N m], world axes. Locked axes keep theirs: of the
@@ -34,7 +33,7 @@ inline void accelerate(const BodyParameters& body, BodyState& state, const Eigen
   state.angular_velocity += inertia.partialPivLu().solve(turning) * time_step;
 }
 
-/// Moves a grasp by one time step [s]; by the explicit integrators with the forces that its fingers exert now.
+/// Moves a grasp by one time step [s]; by the symplectic integrator with the forces that its fingers exert now.
 inline void step_by(Integrator integrator, Grasp& grasp, std::span<const DevicePose> devices, double time_step) {
   if (integrator == Integrator::implicit_euler) return grasp.step(devices, time_step);
   const BodyState old = grasp.body();
@@ -48,9 +47,8 @@ inline void step_by(Integrator integrator, Grasp& grasp, std::span<const DeviceP
   }
   BodyState next = old;
   accelerate(grasp.parameters(), next, force, moment, time_step);
-  const BodyState& mover = integrator == Integrator::symplectic_euler ? next : old;
-  next.position = old.position + mover.velocity * time_step;
-  next.orientation = turned(old.orientation, mover.angular_velocity, time_step);
+  next.position = old.position + next.velocity * time_step;
+  next.orientation = turned(old.orientation, next.angular_velocity, time_step);
   grasp.carry(next, devices, time_step);
 }
 

@@ -49,14 +49,10 @@ struct Entry {
 
 /// The slope of the integrand is infinite where ρ = s, when the centre of rotation lies under the finger.
 Hazard centre_under_the_finger();
-/// The same by brute force: the cost of adaptive subdivision.
-Hazard adaptive_subdivision();
 /// A pressure that is infinite at the rim, (1−ρ²)ⁿ with n < 0.
 Hazard singular_rim();
 /// Kinks of measured profiles.
 Hazard kinks_of_a_profile();
-/// Next to ρ = s the complement of the elliptic modulus vanishes.
-Hazard vanishing_complement();
 /// Far from the contact the moment is the remainder of terms that grow like s³ or s⁴ and cancel.
 Hazard moment_far_away();
 /// Near the centre (1+s²)E − (1−s²)K, two numbers near π/2, must give 3πs²/4.
@@ -75,46 +71,24 @@ Hazard false_equilibria();
 
 /// The centre of rotation that an approximation implies, towards the axes.
 Hazard cor_near_the_axes();
-/// Sums of Gaussians, whose tails vanish while the moment falls like 1/s.
-Hazard dying_tails();
 /// The shape of the pressure and the radius of the contact, which measured slips hardly distinguish.
 Hazard shape_and_radius();
 
 // Entry "projection": how a step finds the friction wrench.
 
-/// Quotients of the paper's step that are 0/0: no offset, no twist, no depth, no friction, no torsional friction.
-Hazard degenerate_steps();
 /// Springs of twist and sliding whose ratio differs by up to a million, under a steady twist.
 Hazard stiffness_ratios();
-/// A contact with an almost zero moment limit and the springs of a larger one, under a steady twist.
-Hazard small_contacts();
-/// A contact radius that grows with the load, under a steady twist: the result of the c-curve through the trial.
-Hazard growing_radius();
 /// Newton's method for the closest point without a bracket, over stiffness ratios and distances of the trial.
 Hazard newton_without_bracket();
-/// A box, given to a search for smooth curves.
-Hazard corners();
 /// Limits of force and moment applied one after the other.
 Hazard order_of_limits();
-/// Static friction above dynamic friction: false chatter, and real stick–slip.
-Hazard chatter();
-/// A load that drops in one step while the finger rests.
-Hazard collapsing_load();
 
 // Entry "time": springs, dampers and bodies in steps of time.
 
-/// The stiffest springs for which each integrator is stable on a light body, sliding and twisting.
+/// The stiffest springs with which an integrator is stable on a light body.
 Hazard light_body();
-/// The same over stiffness and damping.
-Hazard stiffness_and_damping();
-/// A block of 10 g between two fingers of 2000 N/m at 1 kHz.
-Hazard block_of_ten_grams();
-/// A grip released in one step, and the energy of the springs.
-Hazard released_grip();
 /// Forces that reach the device one or two samples late.
 Hazard delayed_forces();
-/// The damping that a device needs for a sampled contact to be passive.
-Hazard sampled_contact();
 /// Positions in steps of an encoder, and velocities from their differences.
 Hazard encoder_steps();
 
@@ -122,8 +96,6 @@ Hazard encoder_steps();
 
 /// The device's angle jumps from π to −π.
 Hazard half_a_turn();
-/// A finger that is turned ten thousand times.
-Hazard ten_thousand_turns();
 /// A finger pressed deeper than half a plate.
 Hazard thin_plate();
 /// Friction carried over an edge.
@@ -133,13 +105,7 @@ Hazard normals_that_jump();
 
 /// Rates from 100 Hz to 10 kHz, with jitter.
 Hazard rates_and_jitter();
-/// Dampers, with a clock that is not read, stands still or runs backwards.
-Hazard clocks();
-/// Samples that are NaN, jump, or are missing.
-Hazard bad_samples();
-/// A plate between two samples.
-Hazard plate_between_samples();
-/// A device that freezes and continues elsewhere.
-Hazard frozen_device();
+/// A load that drops in one step while the finger rests.
+Hazard collapsing_load();
 
 }  // namespace limitcurve::stability

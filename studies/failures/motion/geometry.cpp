@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Entry "geometry": shapes.
+// Entry "geometry": angles and shapes.
 #include "../failures.hpp"
 
 #include "../../../tests/touch.hpp"
-#include "../numerics/sampling.hpp"
-#include "../random.hpp"
 #include "godobject/soft_finger.hpp"
 #include "godobject/surface.hpp"
 #include "limitcurve/approximations.hpp"
@@ -36,7 +34,58 @@ Contact nearest_face(const Vector3d& half, const Vector3d& finger) {
   return contact;
 }
 
+double wrapped(double angle) {
+  return std::remainder(angle, 2.0 * std::numbers::pi);
+}
+
+/// The usual torsional friction: a spring from the proxy's angle to the device's, wrapped and clamped.
+class CustomaryTwist {
+ public:
+  explicit CustomaryTwist(double largest_lag) : largest_lag_(largest_lag) {}
+
+  /// The moment on the user over the limit.
+  double update(double device) {
+    const double lag = wrapped(proxy_ - device);
+    const double held = std::clamp(lag, -largest_lag_, largest_lag_);
+    if (held != lag) proxy_ = device + held;
+    return held / largest_lag_;
+  }
+
+ private:
+  double largest_lag_;
+  double proxy_ = 0.0;
+};
+
 }  // namespace
+
+Hazard half_a_turn() {
+  Hazard found;
+  Figure& figure = found.figures.emplace_back(Figure{"turns_half", {}});
+  // A spring so soft that it slips after four radians. The device reports its angle within ±π.
+  constexpr double largest_lag = 4.0;
+  constexpr double limit = 0.002;  // [N m]
+  CustomaryTwist customary(largest_lag);
+  SoftFinger finger(Ellipse::through_intercepts(0.5),
+                    {.mu = 1.0, .mu_r = limit, .stiffness = stiffness, .twist_stiffness = limit / largest_lag});
+  const Contact contact{Vector3d::Zero(), Vector3d::UnitZ(), 1.0 / stiffness};
+  finger.update(contact, 0.0);
+  constexpr std::array series{"difference wrapped", "limitcurve"};
+  std::array<double, 2> worst{};
+  constexpr int steps = 800;
+  for (int i = 1; i <= steps; ++i) {
+    const double angle = 12.0 * i / steps;
+    const double device = wrapped(angle);
+    const std::array moments{customary.update(device), finger.update(contact, device).moment / limit};
+    for (std::size_t j = 0; j < series.size(); ++j) {
+      // Right friction: against the rotation, growing to the limit and staying there.
+      worst[j] = std::max(worst[j], std::fabs(moments[j] + std::min(angle / largest_lag, 1.0)));
+      if (i % 5 == 0) figure.rows.push_back({"moment", series[j], angle, moments[j]});
+    }
+  }
+  found.findings.push_back(
+      {"twist passes ±π", "spring, difference wrapped into ±π", "error of the moment / limit (slips after 4 rad)", worst[0], worst[1]});
+  return found;
+}
 
 Hazard thin_plate() {
   Hazard found;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Entry "projection": searches that fail.
+// Entry "projection": a search that fails.
 #include "../failures.hpp"
 
+#include "../../../tests/fit/synthetic.hpp"
 #include "../numerics/sampling.hpp"
-#include "../random.hpp"
-#include "godobject/soft_finger.hpp"
-#include "limitcurve/approximations.hpp"
+#include "godobject/finger_curve.hpp"
+#include "godobject/projection.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
 
 namespace limitcurve::stability {
@@ -24,47 +24,6 @@ namespace {
 using namespace godobject;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double stiffness = 1000.0;
-
-/// A wrench in SI units.
-struct Felt {
-  double force;
-  double moment;
-};
-
-/// An ordinary step: offset, twist, depth, the two coefficients of friction, and the expected wrench.
-struct Degenerate {
-  double r, rho, depth, mu, mu_r;
-  Felt right;
-};
-
-/// Eqs. (21)–(23) of Frisoli et al. (2006) as they are printed.
-Felt as_printed(const Degenerate& step, double twist_stiffness) {
-  const double x = step.r / (step.mu * step.depth);
-  const double y = twist_stiffness * step.rho / (step.mu_r * stiffness * step.depth);
-  const double epsilon = x * x + y * y;
-  double r = step.r;
-  double rho = step.rho;
-  if (epsilon > 1.0) {
-    const double new_r = r / std::sqrt(epsilon);
-    const double new_rho = rho / std::sqrt(epsilon);
-    r = new_r / step.r * step.r;
-    rho = new_rho / step.rho * step.rho;
-  }
-  return {stiffness * r, twist_stiffness * rho};
-}
-
-Felt by_finger(const Degenerate& step, double twist_stiffness) {
-  FingerParameters with;
-  with.mu = step.mu;
-  with.mu_r = step.mu_r;
-  with.stiffness = stiffness;
-  with.twist_stiffness = twist_stiffness;
-  SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with, Projection::radial);
-  finger.update({Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 0.01}, 0.0);
-  const FingerOutput output = finger.update({{step.r, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), step.depth}, step.rho);
-  return {output.force.norm(), std::fabs(output.moment)};
-}
 
 /// The closest point's condition in s = c/a: (x − f(s)) − sχ(y − m(s)) = 0.
 struct Condition {
@@ -116,13 +75,14 @@ struct Failures {
 Failures failures(const Law& law, const FingerCurve& table, double kappa, double least_over, double most_over) {
   const ExactCurve curve(law);
   const double m0 = law->moment_ratio();
-  Random random(5);
+  fit::synthetic::Random random(5);
+  const auto logarithmic = [&](double low, double high) { return low * std::pow(high / low, random.uniform(0.0, 1.0)); };
   constexpr int rounds = 300;
   Failures count{0.0, 0.0, 0.0};
   for (int i = 0; i < rounds; ++i) {
     const double angle = 0.5 * std::numbers::pi * random.uniform(0.001, 0.999);
     const UnitWrench direction{std::cos(angle), m0 * std::sin(angle)};
-    const double scale = (1.0 + random.logarithmic(least_over, most_over)) / curve.gauge(direction);
+    const double scale = (1.0 + logarithmic(least_over, most_over)) / curve.gauge(direction);
     const UnitTrial<double> trial{direction.force * scale, direction.moment * scale, 1.0 / (kappa * m0 * m0), 1.0};
     const Condition condition{*law, trial};
     const UnitWrench truth = curve.wrench(SlipTwist::of_spin_fraction(condition.root()));
@@ -133,7 +93,7 @@ Failures failures(const Law& law, const FingerCurve& table, double kappa, double
       const UnitForces<double> forces = law->forces(std::isfinite(s) ? s : 0.0);
       return UnitWrench{std::isfinite(s) ? forces.force : infinity, forces.moment};
     };
-    const double last = random.logarithmic(0.1, 10.0);
+    const double last = logarithmic(0.1, 10.0);
     count.newton += fails(at(by_newton(condition, last)));
     count.newton_ahead += fails(at(by_newton(condition, trial.force / (trial.compliance_ratio * trial.moment))));
     const auto found = project_on_to_closest_point(table.view(), trial, last < 1.0 ? last : 2.0 - 1.0 / last);
@@ -144,61 +104,13 @@ Failures failures(const Law& law, const FingerCurve& table, double kappa, double
 
 }  // namespace
 
-Hazard degenerate_steps() {
-  const double k_r = 0.04;
-  const double mu = 0.5;
-  const double mu_r = 0.002;
-  const double depth = 0.001;
-  const double load = stiffness * depth;
-  const std::array steps{
-      Degenerate{0.0, 0.5, depth, mu, mu_r, {0.0, mu_r * load}},                // a twist, no sliding
-      Degenerate{0.01, 0.0, depth, mu, mu_r, {mu * load, 0.0}},                 // sliding, no twist
-      Degenerate{0.0, 0.0, 0.0, mu, mu_r, {0.0, 0.0}},                          // touch-down, d = 0
-      Degenerate{0.01, 0.5, 1e-200, mu, mu_r, {0.0, 0.0}},                      // d = 1e-200 m
-      Degenerate{0.0, 0.5, depth, 0.0, 0.0, {0.0, 0.0}},                        // µ = 0, a twist
-      Degenerate{0.01, 0.5, depth, mu, 0.0, {mu * load, 0.0}},                  // Γ = 0, sliding and a twist
-      Degenerate{0.01, 0.0, depth, mu, 0.0, {mu * load, 0.0}},                  // Γ = 0, sliding
-      Degenerate{0.0, 0.0, depth, mu, 0.0, {0.0, 0.0}},                         // Γ = 0, at rest
-      Degenerate{0.0, 0.0, depth, mu, mu_r, {0.0, 0.0}},                        // at rest
-      Degenerate{1e-4, 0.01, depth, mu, mu_r, {stiffness * 1e-4, k_r * 0.01}},  // held
-  };
-  Hazard found;
-  double printed = 0.0;
-  double ours = 0.0;
-  for (const Degenerate& step : steps) {
-    const auto wrong = [&](Felt felt) {
-      return !(std::fabs(felt.force - step.right.force) <= 1e-12 * stiffness * step.r &&
-               std::fabs(felt.moment - step.right.moment) <= 1e-12 * k_r * step.rho);
-    };
-    printed += wrong(as_printed(step, k_r));
-    ours += wrong(by_finger(step, k_r));
-  }
-  found.findings.push_back(
-      {"r = 0, ρ = 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "of ten steps, those with NaN or a wrong result", printed, ours});
-  return found;
-}
-
 Hazard newton_without_bracket() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"projection_newton", {}});
   const Law law = hertz();
   const FingerCurve table(Table::build(law, 1e-10));
-  const auto add = [&](const char* panel, double x, const Failures& at) {
-    figure.rows.push_back({panel, "Newton from the last COR", x, at.newton});
-    figure.rows.push_back({panel, "Newton from the trial's direction", x, at.newton_ahead});
-    figure.rows.push_back({panel, "limitcurve", x, at.ours});
-  };
   double ours = 0.0;
-  for (const double kappa : in_ratios(1e-6, 1e6, 37)) {
-    const Failures at = failures(law, table, kappa, 1e-4, 10.0);
-    ours = std::max(ours, at.ours);
-    add("stiffness", kappa, at);
-  }
-  for (const double over : in_ratios(1e-4, 1e8, 37)) {
-    const Failures at = failures(law, table, 1.0, over, over * 1.0001);
-    ours = std::max(ours, at.ours);
-    add("load", over, at);
-  }
+  for (const double kappa : in_ratios(1e-6, 1e6, 37)) ours = std::max(ours, failures(law, table, kappa, 1e-4, 10.0).ours);
+  for (const double over : in_ratios(1e-4, 1e8, 37)) ours = std::max(ours, failures(law, table, 1.0, over, over * 1.0001).ours);
   const Failures even = failures(law, table, 1.0, 1e-4, 10.0);
   const Failures stiff = failures(law, table, 1e6, 1e-4, 10.0);
   const std::string share = "share of slips with no closest point found ";

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Entry "time": forces that are sampled, late, and from the steps of an encoder.
 #include "../failures.hpp"
-#include "../numerics/sampling.hpp"
 #include "godobject/scene/passivity.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/approximations.hpp"
@@ -10,8 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
-#include <utility>
 
 namespace limitcurve::stability {
 
@@ -68,87 +65,18 @@ struct Device {
   }
 };
 
-/// The least damping at which oscillations do not grow.
-double damping_that_settles(double stiffness, int delay) {
-  double low = 1e-3 * stiffness * tick;
-  double high = 10.0 * stiffness * tick;
-  while (high - low > 1e-4 * high) {
-    const double middle = 0.5 * (low + high);
-    (Device{.damping = middle, .delay = delay}.growth(stiffness) > 1.0 ? low : high) = middle;
-  }
-  return high;
-}
-
-/// A hand moves the device to and fro with every sample, in straight lines: energy from the contact in a second [J], and the dissipation
-/// of a unit of the device's damping [J s m⁻¹ N⁻¹].
-struct ToAndFro {
-  double given = 0.0;
-  double taken_per_damping = 0.0;
-};
-
-ToAndFro to_and_fro(double stiffness, double damping, double sample_time) {
-  constexpr double reach = 1e-5;
-  SoftFinger contact = finger(stiffness, damping, 1e6);
-  contact.update(pressed(0.0, 1e-3), 0.0);
-  ToAndFro sum;
-  double x = 0.0;
-  for (int i = 0; i < 1000; ++i) {
-    const double next = i % 2 == 0 ? reach : -reach;
-    const double force = contact.update(pressed(x, 1e-3), 0.0, sample_time).force.x();
-    // First let the transient of the start decay.
-    if (i >= 500) {
-      sum.given += force * (next - x);
-      sum.taken_per_damping += (next - x) * (next - x) / sample_time;
-    }
-    x = next;
-  }
-  return sum;
-}
-
 }  // namespace
 
 Hazard delayed_forces() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"time_delay", {}});
   constexpr double stiffness = 1000.0;
-  for (const int delay : {0, 1, 2}) {
-    const std::string late = delay == 0 ? "no delay" : delay == 1 ? "one sample late" : "two samples late";
-    for (const double k : in_ratios(50.0, 5000.0, 21)) {
-      figure.rows.push_back({"needed", late, k, damping_that_settles(k, delay)});
-      figure.rows.push_back({"needed", late + ", formula", k, device_damping_needed(k, 0.0, tick, delay)});
-    }
-    if (delay == 0) continue;
-    const double customary = 1.05 * device_damping_needed(stiffness, 0.0, tick);
-    const double ours = 1.05 * device_damping_needed(stiffness, 0.0, tick, delay);
-    found.findings.push_back({"force " + late, "device damped by 1.05 kT/2", "growth of an oscillation in one second (1000 N/m, 0.1 kg)",
-                              Device{.damping = customary, .delay = delay}.growth(stiffness),
-                              Device{.damping = ours, .delay = delay}.growth(stiffness)});
+  const auto growth = [](double needed, int delay) { return Device{.damping = 1.05 * needed, .delay = delay}.growth(stiffness); };
+  for (const int delay : {1, 2}) {
+    found.findings.push_back({delay == 1 ? "force one sample late" : "force two samples late", "device damped by 1.05 kT/2",
+                              "growth of an oscillation in one second (1000 N/m, 0.1 kg)",
+                              growth(device_damping_needed(stiffness, 0.0, tick), delay),
+                              growth(device_damping_needed(stiffness, 0.0, tick, delay), delay)});
   }
-  return found;
-}
-
-Hazard sampled_contact() {
-  Hazard found;
-  double off = 0.0;
-  double most_given = 0.0;
-  double our_given = 0.0;
-  for (const double sample_time : {1e-4, 1e-3, 1e-2}) {
-    for (const double stiffness : in_ratios(10.0, 1e4, 7)) {
-      for (const double damping : {0.0, 0.1, 1.0, 10.0}) {
-        const ToAndFro sum = to_and_fro(stiffness, damping, sample_time);
-        const double needed = device_damping_needed(stiffness, damping, sample_time);
-        const double measured = sum.given / sum.taken_per_damping;
-        off = std::max(off, std::fabs(measured / needed - 1.0));
-        const double unit = sum.taken_per_damping * needed;
-        most_given = std::max(most_given, (sum.given - sum.taken_per_damping * damping) / unit);
-        our_given = std::max(our_given, (sum.given - sum.taken_per_damping * 1.001 * needed) / unit);
-      }
-    }
-  }
-  found.findings.push_back({"sampled contact, any hand", "device damped by b, sampling ignored",
-                            "energy drawn by an oscillation / dissipation of the required damping (≤ 0: none)", most_given, our_given});
-  found.findings.push_back({"sampled contact, any hand", "b taken as sufficient damping",
-                            "error of the sufficient damping, k 10 to 1e4 N/m, b 0 to 10 N s/m, 100 Hz to 10 kHz", 1.0, off});
   return found;
 }
 
@@ -180,20 +108,6 @@ Hazard encoder_steps() {
   }
   found.findings.push_back({"encoder steps of 10 µm, velocities from differences", "damper beside the friction limit",
                             "largest friction force / limit (5 N s/m, 5 mm/s, 10 kHz)", customary, ours});
-  // A finger rests at half the limit while the encoder jitters by a step: methods that sum increments creep.
-  double stretch = 0.5 * mu / stiffness;
-  const double at_first = stretch;
-  SoftFinger contact = finger(stiffness, 0.0, mu);
-  contact.update(pressed(0.0, 1e-3), 0.0);
-  const double proxy = contact.update(pressed(at_first, 1e-3), 0.0).proxy.x();
-  double creep = 0.0;
-  for (int i = 0; i < 10000; ++i) {
-    const double jump = i % 2 == 0 ? resolution : -resolution;
-    stretch += jump - std::fabs(jump) * stiffness * stretch / mu;
-    creep = std::max(creep, std::fabs(contact.update(pressed(at_first + (i % 2 == 0 ? resolution : 0.0), 1e-3), 0.0).proxy.x() - proxy));
-  }
-  found.findings.push_back({"encoder steps of 10 µm, at rest", "bristles (Dahl, LuGre)", "creep at half the limit / deflection (1e4 steps)",
-                            (at_first - stretch) / at_first, creep / at_first});
   return found;
 }
 

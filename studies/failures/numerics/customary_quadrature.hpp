@@ -2,7 +2,6 @@
 #pragma once
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
@@ -67,11 +66,6 @@ inline double gauss(const Function& integrand, const std::vector<double>& places
     value += boost::math::quadrature::gauss<double, gauss_points>::integrate(integrand, places[i], places[i + 1]);
   }
   return value;
-}
-
-/// 15 points, halving intervals at most 15 times.
-inline double adaptive_gauss_kronrod(const Function& integrand, double accuracy = asked) {
-  return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(integrand, 0.0, 1.0, 15, accuracy);
 }
 
 /// 0, s if it is inside, 1.

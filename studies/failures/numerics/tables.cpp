@@ -104,55 +104,19 @@ double power(UnitWrench wrench, double u) {
   return (1.0 - u) * wrench.force + u * wrench.moment;
 }
 
-/// The equilibrium of a finger under the steady twist u, if each step moves its wrench to the closest
-/// point of the curve: a local maximum of the dissipated power. Climbs from the point `from`.
-std::size_t rest(const Polyline& curve, double u, std::size_t from) {
-  std::size_t at = from;
-  while (true) {
-    if (at + 1 < curve.size() && power(curve[at + 1], u) > power(curve[at], u)) {
-      ++at;
-    } else if (at > 0 && power(curve[at - 1], u) > power(curve[at], u)) {
-      --at;
-    } else {
-      return at;
-    }
-  }
-}
-
-struct Rests {
-  int most = 0;           ///< number of equilibria of one twist
-  double distance = 0.0;  ///< between the wrenches of the outermost two
-  double twist = 0.5;     ///< spin fraction of the twist with the most
-};
-
-/// The worst of 99 twists.
-Rests rests(const Polyline& curve) {
-  Rests worst;
+/// Wrenches at which a finger can rest under one steady twist, if each step moves its wrench to the closest point of the curve: local maxima of
+/// the dissipated power. The most, of 99 twists.
+double rests(const Polyline& curve) {
+  int most = 0;
   for (const double u : evenly(0.01, 0.99, 99)) {
     int count = 0;
     for (std::size_t i = 0; i < curve.size(); ++i) {
       const double here = power(curve[i], u);
       if ((i == 0 || here > power(curve[i - 1], u)) && (i + 1 == curve.size() || here >= power(curve[i + 1], u))) ++count;
     }
-    if (count > worst.most) worst.twist = u;
-    worst.most = std::max(worst.most, count);
-    const UnitWrench one = curve[rest(curve, u, 0)];
-    const UnitWrench other = curve[rest(curve, u, curve.size() - 1)];
-    worst.distance = std::max(worst.distance, std::hypot(one.force - other.force, one.moment - other.moment));
+    most = std::max(most, count);
   }
-  return worst;
-}
-
-/// The power of a twist along either curve around its true equilibrium, in units of 1e-4 μPaω, relative to the largest.
-void draw_power(Figure& figure, const Polyline& curve, const Polyline& ours, double twist) {
-  const std::size_t middle = rest(ours, twist, 0);
-  const double most = power(ours[middle], twist);
-  const std::size_t reach = 480;
-  for (std::size_t i = std::max(middle, reach) - reach; i <= std::min(middle + reach, curve.size() - 1); i += 8) {
-    const double u = static_cast<double>(i) / (polyline_points - 1);
-    figure.rows.push_back({"power", "spline through four decimals", u, 1e4 * (power(curve[i], twist) - most)});
-    figure.rows.push_back({"power", "limitcurve", u, 1e4 * (power(ours[i], twist) - most)});
-  }
+  return most;
 }
 
 }  // namespace
@@ -185,24 +149,7 @@ Hazard even_spacing() {
   const Table table = Table::build(law, 1e-8, fewest);
   // The same count of numbers: a node is f, m and a slope; a cell of ours is an origin and seven coefficients.
   const auto nodes = static_cast<int>(8 * table.cell_count() / 3);
-  const EvenTable even(*law, last, nodes);
-  double ours = 0.0;
-  // The worst of each interval of CORs.
-  constexpr int stretches = 90;
-  std::array<double, stretches> even_worst{};
-  std::array<double, stretches> ours_worst{};
-  for (const auto& [s, exact] : places) {
-    const auto i = static_cast<std::size_t>(std::min(stretches * s / last, stretches - 1.0));
-    const double error = absolute_error(table.wrench(SlipTwist::about_cor(s)), exact);
-    even_worst[i] = std::max(even_worst[i], absolute_error(even.wrench(s), exact));
-    ours_worst[i] = std::max(ours_worst[i], error);
-    ours = std::max(ours, error);
-  }
-  for (std::size_t i = 0; i < stretches; ++i) {
-    const double s = last * (static_cast<double>(i) + 0.5) / stretches;
-    figure.rows.push_back({"cor", "even nodes", s, even_worst[i]});
-    figure.rows.push_back({"cor", "limitcurve", s, ours_worst[i]});
-  }
+  const double ours = worst_of([&](double s) { return table.wrench(SlipTwist::about_cor(s)); });
   found.findings.push_back({"even spacing across the rim", "cubic Hermite, exact slopes, even nodes in s ≤ 3",
                             "largest error of f and m (flat punch, as many numbers as our table of 1e-8)", even_error(nodes), ours});
   found.findings.push_back(
@@ -233,39 +180,17 @@ Hazard beyond_the_last_node() {
     found.findings.push_back({"COR beyond the last node", std::string(series[i]) + ", 64 nodes to s = 5",
                               "relative error of m at s = 1e4 (ours: table of 1e-8, s ≤ 1e6)", far[i], ours});
   }
-  found.findings.push_back({"COR beyond the last node", "last value held", "moment of a pure slide / largest moment (must be 0)",
-                            even.wrench(last).moment / moments.front(), table.wrench({1.0, 0.0}).moment / table.moment_ratio()});
   return found;
 }
 
 Hazard false_equilibria() {
-  Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"tables_equilibria", {}});
-  const Law law = hertz();
-  const Polyline ours = tabulated(Table::build(law, 1e-4));
-  Rests worst;
-  for (const int nodes : {17, 33, 65, 129, 257, 513}) {
-    const Polyline curve = splined(*law, nodes);
-    const Rests here = rests(curve);
-    figure.rows.push_back({"rests", "spline through four decimals", static_cast<double>(nodes), static_cast<double>(here.most)});
-    worst.most = std::max(worst.most, here.most);
-    worst.distance = std::max(worst.distance, here.distance);
-    if (nodes == 257) draw_power(figure, curve, ours, here.twist);
-  }
-  Rests our_worst;
-  for (const double tolerance : in_ratios(1e-2, 1e-10, 9)) {
-    const Table table = Table::build(law, tolerance);
-    const Rests here = rests(tabulated(table));
-    figure.rows.push_back({"rests", "limitcurve", static_cast<double>(table.cell_count()), static_cast<double>(here.most)});
-    our_worst.most = std::max(our_worst.most, here.most);
-    our_worst.distance = std::max(our_worst.distance, here.distance);
-  }
-  const std::string method = "cubic splines of f and m through values of four decimals";
-  found.findings.push_back({"interpolant not convex", method, "equilibrium wrenches of one steady twist", static_cast<double>(worst.most),
-                            static_cast<double>(our_worst.most)});
-  found.findings.push_back(
-      {"interpolant not convex", method, "distance between two of them in (f, m)", worst.distance, our_worst.distance});
-  return found;
+  double usual = 0.0;
+  double ours = 0.0;
+  for (const int nodes : {17, 33, 65, 129, 257, 513}) usual = std::max(usual, rests(splined(*hertz(), nodes)));
+  for (const double tolerance : in_ratios(1e-2, 1e-10, 9)) ours = std::max(ours, rests(tabulated(Table::build(hertz(), tolerance))));
+  return {{{"interpolant not convex", "cubic splines of f and m through values of four decimals",
+            "equilibrium wrenches of one steady twist", usual, ours}},
+          {}};
 }
 
 }  // namespace limitcurve::stability

@@ -69,17 +69,6 @@ ExactWrench exact_cone(double distance) {
           (Exact(1) / 3 - z / 2) * angle - t / 6 - 4 * t * t * t / 9 + 4 * z * s / 9};
 }
 
-Exact exact_first_kind(const Exact& complement) {
-  Exact a = 1;
-  Exact g = sqrt(complement);
-  for (int i = 0; i < 40; ++i) {
-    const Exact mean = (a + g) / 2;
-    g = sqrt(Exact(a * g));
-    a = mean;
-  }
-  return pi / (2 * a);
-}
-
 double relative_error(double value, const Exact& exact) {
   if (std::isnan(value)) return std::numeric_limits<double>::infinity();
   return std::max(static_cast<double>(abs(Exact(value / exact - 1))), 0x1p-54);

@@ -22,9 +22,6 @@ ExactWrench exact_hertz(double s);
 ExactWrench exact_flat_punch(double s);
 ExactWrench exact_cone(double s);
 
-/// K(q) with complement 1 − q² = `complement` > 0, by the arithmetic–geometric mean.
-Exact exact_first_kind(const Exact& complement);
-
 /// |value/exact − 1|, at least 2⁻⁵⁴, so that it can be drawn on a logarithmic axis; inf for NaN.
 double relative_error(double value, const Exact& exact);
 
