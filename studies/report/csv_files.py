@@ -12,7 +12,6 @@ from pathlib import Path
 
 from .chart_style import write_whole
 from .command import listed, numbers
-from .finger_figures import LOST
 
 DATA = Path(__file__).resolve().parents[2] / "data"
 
@@ -24,7 +23,6 @@ FINGER = {"law": "hertz", "radius_law": "constant:a=0.006", "mu": 0.6, "stiffnes
 # rayon of 1.2. Measured for digits of young adults: mostly above 1 (J. Park, N. Pazin, J. Friedman,
 # V. M. Zatsiorsky, M. L. Latash, Clinical Biomechanics 29:129-137, 2014).
 HAND = ("--damping", 86)
-TURNED_BACK = math.radians(0.1)
 
 
 class CsvFiles:
@@ -119,30 +117,22 @@ def options(finger):
 
 
 def replays(files):
-    """replay: trace, boundary, projection, `replay`. replay_runs: trace, and what these runs share;
-    moment_ratio is m0 of the law. replay_limits: trace, boundary, load, force, moment: the p-curves of
-    the run. pinch: friction (soft or point), `replay` of two fingers on data/scenes/pinch.csv, which is
-    pinch_trace, too."""
+    """replay: trace, boundary, projection, `replay`. replay_run: what these share. replay_limits: boundary,
+    load, force, moment: its p-curves."""
     traces = ("press_drag_release", "press_twist_release", "slide_twist_load")
     kinds = [(trace, *kind) for trace in traces for kind in (("ellipse", "radial"), ("table", "closest-point"))]
     files.gather("replay", [({"trace": trace, "boundary": curve, "projection": projection},
                              ["replay", "--trace", DATA / "traces" / f"{trace}.csv", *options(FINGER),
                               "--curve", curve, "--projection", projection]) for trace, curve, projection in kinds])
     moment_ratio = files.moment_ratios["hertz"]
-    files.write("replay_runs", [{"trace": trace, **FINGER, "moment_ratio": moment_ratio} for trace in traces])
+    files.write("replay_run", [FINGER])
     law = {name: FINGER[name] for name in ("law", "radius_law", "mu")}
     exact = numbers(files.command.rows("p-curves", *options(law), "--loads", "0.5,1,1.5,2,3"), "load", "force", "moment")
     largest = {load: (0.6 * load, 0.6 * load * 0.006 * moment_ratio) for load, _, _ in exact}
     quarter = [math.pi / 2 * i / 90 for i in range(91)]
     ellipse = [(load, force * math.sin(t), moment * math.cos(t)) for load, (force, moment) in largest.items() for t in quarter]
-    limits = [(trace, *points) for points in (("ellipse", ellipse), ("table", exact)) for trace in traces]
-    files.write("replay_limits", [{"trace": trace, "boundary": curve, "load": load, "force": force, "moment": moment}
-                                  for trace, curve, points in limits for load, force, moment in points])
-    pinch = ["replay", "--trace", DATA / "scenes" / "pinch.csv", "--fingers", 2, "--damping", 2,
-             "--surface", "box:x=0.12,y=0.04,z=0.04", "--body", "free:mass=0.1"]
-    point = {name: value for name, value in FINGER.items() if name != "radius_law"} | {"mu_r": 0}
-    files.gather("pinch", [({"friction": kind}, [*pinch, *options(finger)]) for kind, finger in (("soft", FINGER), ("point", point))])
-    copy(files, "pinch_trace", "scenes/pinch.csv")
+    files.write("replay_limits", [{"boundary": curve, "load": load, "force": force, "moment": moment}
+                                  for curve, points in (("ellipse", ellipse), ("table", exact)) for load, force, moment in points])
 
 
 def steady_twist(files):
@@ -173,26 +163,13 @@ def steady_twist(files):
 
 
 def fits(files):
-    """fits: data, model, `fit`. Of the fit to data/fit/slips.csv: fit_band: force, moment, inner_force,
-    inner_moment, outer_force, outer_moment, the curve at 1 N and the edges of its 95 % band;
-    fit_residuals: load, force, moment, sigma_force, sigma_moment, residual."""
+    """fits: data, model, `fit`. fit_residuals: load, force, moment, sigma_force, sigma_moment, residual of
+    the fit to data/fit/slips.csv."""
     slips = DATA / "fit" / "slips.csv"
     robust = ["fit", "law", "--data", slips, "--law", "hertz", "--loss", "cauchy", "--fit-gamma"]
     files.gather("fits", [({"data": "materials", "model": "ratio"}, ["fit", "ratio", "--data", DATA / "materials.csv"]),
                           ({"data": "slips", "model": "law"}, robust),
                           ({"data": "radii", "model": "load"}, ["fit", "load", "--data", DATA / "fit" / "radii.csv"])])
-    found = {row["parameter"]: row for row in files.command.rows(*robust, "--covariance")}
-    mu, mu_r = (float(found[name]["value"]) for name in ("mu", "mu_r"))
-    [[var_mu, covar], [_, var_mu_r]] = numbers((found["mu"], found["mu_r"]), "covariance_mu", "covariance_mu_r")
-    band = []
-    for c, x, y in reversed(numbers(files.command.rows("curve", "--law", "hertz", "--points", 91), "c", "x", "y")):
-        v, w = (c, files.moment_ratios["hertz"]) if c < math.inf else (1, 0)  # the normal in the normalised plane
-        v, w = v / math.hypot(v, w), w / math.hypot(v, w)
-        by_mu, by_mu_r = v * x / mu, w * y / mu_r
-        off = 1.959964 * math.sqrt(by_mu**2 * var_mu + 2 * by_mu * by_mu_r * covar + by_mu_r**2 * var_mu_r)
-        band.append({"force": mu * x, "moment": mu_r * y, "inner_force": mu * (x - off * v), "inner_moment": mu_r * (y - off * w),
-                     "outer_force": mu * (x + off * v), "outer_moment": mu_r * (y + off * w)})
-    files.write("fit_band", band)
     residuals = files.command.rows(*robust, "--residuals")
     files.write("fit_residuals", [{**slip, **residual} for slip, residual in zip(read(slips), residuals, strict=True)])
 
@@ -230,9 +207,7 @@ def patches(files):
 def pivot(files):
     """pivot: case, grip, `pivot`: a grip that eases by itself, without dampers, so that the god-object
     lies on the p-curves (release), and an operator. pivot_stiffness: case, ratio, angle: by how much the
-    block turns before it has left the fingers, over k_r/(k_l (mu_r/mu)^2). pivot_map: case, offset,
-    rate, angle: how far it has turned when it is lost, over its offset [m] and the rate of the release
-    [N/s]."""
+    block turns before it has left the fingers, over k_r/(k_l (mu_r/mu)^2)."""
     release = ["--release", "from=0.5,to=0.25,over=10", "--damping", 0]
     operator = ["--operator", "target=30deg,speed=0.1,rate=0.1", *HAND, "--duration", 15]
     files.gather("pivot", [({"case": case, "grip": grip}, ["pivot", "--case", case, "--material", "sandpaper", "--every", 10, *words])
@@ -243,60 +218,11 @@ def pivot(files):
     calls = [["pivot", "--case", case, "--twist-stiffness", ratio * radial_best] for case, ratio in scan]
     turned = files.command.each(calls, lambda rows: max(float(row["angle"]) for row in held(rows)))
     files.write("pivot_stiffness", [{"case": case, "ratio": ratio, "angle": angle} for (case, ratio), angle in zip(scan, turned)])
-    grid = [(case, offset / 1000, rate) for case in CASES for offset in range(1, 11) for rate in (0.1, 0.2, 0.5, 1.0, 2.0, 5.0)]
-    calls = [["pivot", "--case", case, "--offset", offset, "--release", f"from=1,to=0,over={1 / rate}", "--duration", 1 / rate + 1]
-             for case, offset, rate in grid]
-    files.write("pivot_map", [{"case": case, "offset": offset, "rate": rate, "angle": angle}
-                              for (case, offset, rate), angle in zip(grid, files.command.each(calls, angle_when_lost))])
 
 
 def held(rows):
     """Those until the block has left the fingers."""
     return itertools.takewhile(lambda row: row["state"] != "free", rows)
-
-
-def angle_when_lost(rows):
-    for row in rows:
-        if row["state"] == "free" or float(row["grip_slip"]) >= LOST:
-            break
-    return row["angle"]
-
-
-def pivot_materials(files):
-    """table_1: data/materials.csv. pivot_materials: material, case, `pivot`, the grip left open.
-    pivot_offsets: material, case, offset, angle, grip_slip, turned_back: what a slow operator with a
-    hand's dampers achieves, and how often the block turned back by more than 0.1 degrees."""
-    copy(files, "table_1", "materials.csv")
-    materials = [row["material"] for row in read(DATA / "materials.csv")]
-    kinds = [{"material": material, "case": case} for material in materials for case in CASES]
-    opened = files.gather("pivot_materials", [(kind, ["pivot", *options(kind), "--every", 20]) for kind in kinds])
-    scan, calls = [], []
-    for kind, rows in zip(kinds, opened):
-        # So slow that the block does not oscillate: a fifth of the default load in a second.
-        operator = f"target=30deg,speed=0.1,rate={0.2 * float(rows[0]['load'])!r}"
-        for offset in (0.001, 0.002, 0.003, 0.004, 0.005, 0.006, 0.0065, 0.007, 0.008, 0.009):
-            scan.append({**kind, "offset": offset})
-            calls.append(["pivot", *options(scan[-1]), "--operator", operator, *HAND, "--duration", 25])
-    files.write("pivot_offsets", [{**cells, **found} for cells, found in zip(scan, files.command.each(calls, until_regripped))])
-
-
-def until_regripped(rows):
-    """How the block has turned, slipped and turned back when it leaves the fingers, or is held as firmly
-    as at the beginning."""
-    first, eased, back, extreme, count = None, False, False, 0.0, 0
-    for row in rows:
-        load, angle = float(row["load"]), float(row["angle"])
-        first = first or load
-        eased = eased or load < 0.9 * first
-        # Back and forth are two changes of sense, of which one is a turn back.
-        if (angle < extreme) == back:
-            extreme = angle
-        elif abs(angle - extreme) > TURNED_BACK:
-            back, extreme = not back, angle
-            count += back
-        if row["state"] == "free" or (eased and load >= first):
-            break
-    return {"angle": row["angle"], "grip_slip": row["grip_slip"], "turned_back": count}
 
 
 def copy(files, name, source):
@@ -316,4 +242,4 @@ def others(files):
         copy(files, f"work_precision_{name}", f"work_precision/{name}.csv")
 
 
-PARTS = (curves, load_curves, tables, replays, steady_twist, fits, patches, pivot, pivot_materials, others)
+PARTS = (curves, load_curves, tables, replays, steady_twist, fits, patches, pivot, others)

@@ -145,41 +145,16 @@ def tables(data):
 RESIDUALS_SHOWN = 6
 
 
-ERROR_BARS_EVERY = 12
-
-
 def fits(data):
-    """A limit curve fitted to measured slips, per newton of load, with its 95 % band; and the residuals."""
+    """A limit curve fitted to measured slips, per newton of load; and the residuals."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1), layout="constrained")
-    samples, band = data["fit_residuals"], data["fit_band"]
-    gamma = data["fits"].where(data="slips", parameter="gamma")[0]["value"]
-    forces = [row["force"] / row["load"] for row in samples]
-    moments = [1e3 * row["moment"] / row["load"] ** (1 + gamma) for row in samples]
-    left.plot(forces, moments, ".", color=FAINT, markersize=2.5, alpha=0.6, label="a slip, scaled to 1 N")
-    barred = slice(None, None, ERROR_BARS_EVERY)
-    left.errorbar(forces[barred], moments[barred], xerr=[row["sigma_force"] / row["load"] for row in samples[barred]],
-                  yerr=[1e3 * row["sigma_moment"] / row["load"] ** (1 + gamma) for row in samples[barred]], fmt=".", color=INK,
-                  markersize=2.5, elinewidth=0.8, label=f"one in {ERROR_BARS_EVERY}, ± its standard deviation")
-    # The band is thinner than the line, but for a lens.
-    middle = band[len(band) // 2]
-    reach = 8 * math.hypot(middle["outer_force"] / middle["force"] - 1, middle["outer_moment"] / middle["moment"] - 1)
-    lens = left.inset_axes([0.66, 0.58, 0.34, 0.38])
-    lens.fill(band.column("inner_force") + band.column("outer_force")[::-1],
-              band.column("inner_moment", 1e3) + band.column("outer_moment", 1e3)[::-1], color=BLUE, alpha=0.3, linewidth=0)
-    lens.plot(band.column("force"), band.column("moment", 1e3), color=BLUE, linewidth=1)
-    lens.plot(forces, moments, ".", color=FAINT, markersize=4, alpha=0.8)
-    lens.set(xlim=[middle["force"] * (1 + sign * reach) for sign in (-1, 1)], xticks=[], yticks=[],
-             ylim=[1e3 * middle["moment"] * (1 + sign * reach) for sign in (-1, 1)])
-    lens.text(0.05, 0.05, f"± {100 * reach:.1f} %", transform=lens.transAxes, fontsize=8)
-    for spine in lens.spines.values():
-        spine.set(visible=True, color=FAINT)
-    left.indicate_inset_zoom(lens, edgecolor=FAINT)
-    left.plot(band.column("force"), band.column("moment", 1e3), color=BLUE, label="fitted limit curve")
-    left.fill(band.column("inner_force") + band.column("outer_force")[::-1],
-              band.column("inner_moment", 1e3) + band.column("outer_moment", 1e3)[::-1], color=BLUE, alpha=0.3, linewidth=0,
-              label="its 95 % band")
+    samples, curve = data["fit_residuals"], data["curves"].where(law="hertz")
+    mu, mu_r, gamma = (data["fits"].where(data="slips", parameter=name)[0]["value"] for name in ("mu", "mu_r", "gamma"))
+    left.plot([row["force"] / row["load"] for row in samples], [1e3 * row["moment"] / row["load"] ** (1 + gamma) for row in samples], ".", color=FAINT,
+              markersize=2.5, alpha=0.6, label="a slip, scaled to 1 N")
+    left.plot(curve.column("x", mu), curve.column("y", 1e3 * mu_r), color=BLUE, label="fitted limit curve")
     quadrant(left, "Slips and the limit curve fitted to them", "force at 1 N:  $F/P$  [N]", f"moment at 1 N:  $M/P^{{{1 + gamma:.3f}}}$  [N mm]")
-    left.set(xlim=(0, 1.2 * max(band.column("force"))), ylim=(0, 1.25e3 * max(band.column("moment"))))
+    left.set(xlim=(0, 1.2 * mu), ylim=(0, 1.25e3 * mu_r))
     left.legend(loc="lower left", markerscale=3, handlelength=2)
 
     near = [row for row in samples if abs(row["residual"]) <= RESIDUALS_SHOWN]

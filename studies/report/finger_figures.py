@@ -1,27 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The report's figures of the god-object: on traces, at a steady twist, and with a block between two fingers. One function
-each: takes the CSVs (see csv_files.py for their columns), returns a figure."""
+"""The report's figures of the god-object: on traces and at a steady twist. One function each: takes the CSVs (see csv_files.py for their columns), returns a figure."""
 
 import math
 
 from .chart_style import BLUE, FAINT, INK, VERMILION, legend_in_sight, mark_ratios, plt, quadrant
-
-def repositionings(rows, run):
-    """Per step the trial point [r, rho] before, and the point after repositioning (m, rad), recomputed from the log."""
-    steps = []
-    for before, here in zip(rows, rows[1:]):
-        if here["load"] <= 0 or before["load"] <= 0:
-            continue
-        goal_x, goal_y = here["px"] - here["fx"] / run["stiffness"], here["py"] - here["fy"] / run["stiffness"]
-        goal_angle = here["angle"] - here["moment"] / run["twist_stiffness"]
-        steps.append({
-            "state": here["state"],
-            "load": here["load"],
-            "trial": (math.hypot(before["px"] - goal_x, before["py"] - goal_y), abs(before["angle"] - goal_angle)),
-            "new": (math.hypot(here["fx"], here["fy"]) / run["stiffness"], abs(here["moment"]) / run["twist_stiffness"]),
-        })
-    return steps
-
 
 TITLES = {"ellipse": "Ellipse, radial (the paper's)", "table": "Exact curve, closest point"}
 TRACE_TITLES = {"press_drag_release": "press, drag, release", "press_twist_release": "press, twist, release",
@@ -32,18 +14,17 @@ def god_object(data):
     """Paper, Figs. 5 and 9: the god-object in the [r, rho] plane on each trace, for ellipse and exact curve."""
     traces = list(data["replay"].groups("trace"))
     boundaries = list(data["replay"].groups("boundary"))
+    run = data["replay_run"][0]
     figure, panels = plt.subplots(len(boundaries), len(traces), figsize=(9.6, 3.1 * len(boundaries)), layout="constrained",
                                   sharex=True, sharey=True)
     for across, trace in enumerate(traces):
-        run = data["replay_runs"].where(trace=trace)[0]
         for down, boundary in enumerate(boundaries):
             axes = panels[down][across]
-            for load, rows in data["replay_limits"].where(trace=trace, boundary=boundary).groups("load").items():
+            for load, rows in data["replay_limits"].where(boundary=boundary).groups("load").items():
                 rho = rows.column("moment", 1 / run["twist_stiffness"])
                 axes.plot(rows.column("force", 1e3 / run["stiffness"]), rho, color="#c4c4c4", linewidth=0.9)
                 axes.annotate(f"{load:g} N", (0, max(rho)), (4, 2), textcoords="offset points", color=FAINT, fontsize=7)
-            steps = repositionings(data["replay"].where(trace=trace, boundary=boundary), run)
-            draw_steps(axes, steps)
+            draw_steps(axes, data["replay"].where(trace=trace, boundary=boundary), run)
             if down == 0:
                 axes.set_title(TRACE_TITLES.get(trace, trace))
             axes.set(xlim=(-0.03, None), ylim=(-0.01, None))
@@ -58,77 +39,18 @@ def god_object(data):
     return figure
 
 
-def draw_steps(axes, steps):
-    """The path of the repositioned point, one line for each stretch of one state."""
+def draw_steps(axes, rows, run):
+    """The path of the springs' deflection while they touch, one line for each stretch of one state."""
+    rows = [row for row in rows if row["load"] > 0]
     begin = 0
-    for i in range(1, len(steps) + 1):
-        if i == len(steps) or steps[i]["state"] != steps[begin]["state"]:
-            path = [steps[j]["new"] for j in range(max(begin - 1, 0), i)]
-            slips_here = steps[begin]["state"] == "slip"
-            axes.plot([1e3 * r for r, _ in path], [rho for _, rho in path], color=BLUE if slips_here else FAINT,
+    for i in range(1, len(rows) + 1):
+        if i == len(rows) or rows[i]["state"] != rows[begin]["state"]:
+            path = rows[max(begin - 1, 0):i]
+            slips_here = rows[begin]["state"] == "slip"
+            axes.plot([1e3 * math.hypot(row["fx"], row["fy"]) / run["stiffness"] for row in path],
+                      [abs(row["moment"]) / run["twist_stiffness"] for row in path], color=BLUE if slips_here else FAINT,
                       linewidth=1.8 if slips_here else 1.1, solid_capstyle="round")
             begin = i
-
-
-LENS_STEPS, LENS_STRIDE = 6, 5
-
-
-def repositioning(data):
-    """Paper, Fig. 5: single steps of a slip while the load falls, magnified; every fifth step, so that they are separate."""
-    trace = list(data["replay"].groups("trace"))[-1]
-    run = data["replay_runs"].where(trace=trace)[0]
-    boundaries = list(data["replay"].groups("boundary"))
-    figure, panels = plt.subplots(1, len(boundaries), figsize=(9.6, 4.4), layout="constrained")
-    for axes, boundary in zip(panels, boundaries):
-        rows = data["replay"].where(trace=trace, boundary=boundary)
-        steps = repositionings(rows, run)
-        start = falling_load(steps)
-        shown = steps[start:start + LENS_STEPS * LENS_STRIDE:LENS_STRIDE]
-        limits = data["replay_limits"].where(trace=trace, boundary=boundary).groups("load")
-        largest = max(limits)
-        for step in shown:
-            scale = step["load"] / largest
-            grown = scale ** (1 + radius_exponent(run["radius_law"]))
-            axes.plot(limits[largest].column("force", 1e6 * scale / run["stiffness"]),
-                      limits[largest].column("moment", 1e3 * grown / run["twist_stiffness"]), color="#c4c4c4", linewidth=0.9)
-            (r, rho), (new_r, new_rho) = step["trial"], step["new"]
-            axes.plot([1e6 * r, 1e6 * new_r], [1e3 * rho, 1e3 * new_rho], color=INK, linewidth=0.9)
-            axes.plot(1e6 * r, 1e3 * rho, "D", color=INK, markersize=4)
-            axes.plot(1e6 * new_r, 1e3 * new_rho, "o", color=BLUE, markersize=4.5)
-        # One scale for both axes in the metric of the springs' energy, in which the closest point lies at a right angle.
-        equal = math.sqrt(run["twist_stiffness"] / run["stiffness"]) * 1e3
-        across = [1e6 * point[0] for step in shown for point in (step["trial"], step["new"])]
-        along = [1e3 * point[1] for step in shown for point in (step["trial"], step["new"])]
-        half = 0.62 * max(max(across) - min(across), (max(along) - min(along)) * equal)
-        middle = (0.5 * (max(across) + min(across)), max(0.5 * (max(along) + min(along)), half / equal))
-        axes.set(title=TITLES.get(boundary, boundary), xlabel="r  [µm]", ylabel="ρ  [mrad]", aspect=equal,
-                 xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half / equal, middle[1] + half / equal))
-    panels[0].plot([], [], "D", color=INK, markersize=4, label="goal has moved: before repositioning")
-    panels[0].plot([], [], "o", color=BLUE, markersize=4.5, label="god-object moved on to the p-curve")
-    panels[0].plot([], [], color="#c4c4c4", label="p-curve of each step's load")
-    legend_in_sight(figure, panels[0])
-    return figure
-
-
-def falling_load(steps):
-    """Index of the first step of the slip in the middle of the longest fall of the load while slipping."""
-    best, longest, begin = 0, 0, None
-    for i in range(1, len(steps)):
-        falls = steps[i]["state"] == "slip" and steps[i]["load"] < steps[i - 1]["load"]
-        if falls and begin is None:
-            begin = i
-        if begin is not None and not falls:
-            if i - begin > longest and min(steps[begin]["new"]) > 0:
-                best, longest = (begin + i - LENS_STEPS * LENS_STRIDE) // 2, i - begin
-            begin = None
-    return best
-
-
-def radius_exponent(text):
-    kind, _, parameters = text.partition(":")
-    if kind == "power":
-        return float(dict(item.split("=") for item in parameters.split(","))["gamma"])
-    return {"constant": 0.0, "hertz": 1 / 3}[kind]
 
 
 def felt(data):
@@ -172,77 +94,6 @@ def slips(rows):
             intervals.append((begin, row["time"]))
             begin = None
     return intervals + ([(begin, rows[-1]["time"])] if begin is not None else [])
-
-
-BLOCK_LENGTH, BLOCK_HEIGHT = 0.12, 0.04  # m, `limitcurve pivot`'s default
-CASES = {"coupled": "Coupled: ellipse, radial (A)", "exact": "Exact curve, closest point", "uncoupled": "Uncoupled: box (B)"}
-
-
-LOST = 0.005  # m: a block that has slid so far past the grip, or has left it, is lost
-
-
-def angle_at_loss(rows):
-    """By how much the block has turned [°] when it is lost, and when that is [s]; linear between rows. Of a block that stays: at the end."""
-    for before, row in zip(rows, rows[1:]):
-        if row["state"] == "free":
-            return math.degrees(before["angle"]), before["time"]
-        if row["grip_slip"] >= LOST:
-            share = (LOST - before["grip_slip"]) / (row["grip_slip"] - before["grip_slip"])
-            return tuple(scale * (before[name] + share * (row[name] - before[name])) for name, scale in (("angle", 180 / math.pi), ("time", 1)))
-    return math.degrees(rows[-1]["angle"]), rows[-1]["time"]
-
-
-def held_rows(rows):
-    """The rows until the block has left the fingers."""
-    end = next((i for i, row in enumerate(rows) if row["state"] == "free"), len(rows))
-    return type(rows)(rows[:end])
-
-
-def draw_block(axes, rows):
-    """Outlines of the block each time it has turned or slid visibly on: darker is later."""
-    held = held_rows(rows)
-    shown = [held[0]]
-    for row in held:
-        if abs(row["angle"] - shown[-1]["angle"]) > 0.2 or row["grip_slip"] - shown[-1]["grip_slip"] > 0.006:
-            shown.append(row)
-    for i, row in enumerate(shown):
-        shade = str(0.82 - 0.7 * i / max(len(shown) - 1, 1))
-        cosine, sine = math.cos(row["angle"]), math.sin(row["angle"])
-        corners = [(x * BLOCK_LENGTH / 2, y * BLOCK_HEIGHT / 2) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))]
-        axes.plot([1e3 * (row["x"] + x * cosine - y * sine) for x, y in corners],
-                  [1e3 * (row["y"] + x * sine + y * cosine) for x, y in corners], color=shade, linewidth=1.1)
-        axes.annotate(f"{row['time']:.1f} s", [1e3 * place for place in (row["x"] - 0.06 * cosine - 0.02 * sine, row["y"] - 0.06 * sine + 0.02 * cosine)],
-                      (-3, 0), textcoords="offset points", fontsize=8, color=INK, ha="right", va="center")
-    axes.plot([1e3 * row["x"] for row in held], [1e3 * row["y"] for row in held], color=BLUE, linewidth=1.6)
-    axes.plot(0, 0, "o", color=VERMILION, markersize=6)
-
-
-def pivot_map(data):
-    """How far the block has turned when it is lost, over the centre of mass's offset and the rate of release."""
-    figure, panels = plt.subplots(1, len(CASES), figsize=(9.6, 3.4), layout="constrained", sharey=True)
-    rows = data["pivot_map"]
-    offsets, rates = sorted(rows.groups("offset")), sorted(rows.groups("rate"))
-    sandpaper = data["materials"].where(material="sandpaper")[0]
-    for axes, (case, title) in zip(panels, CASES.items()):
-        angles = {(row["offset"], row["rate"]): math.degrees(row["angle"]) for row in rows.where(case=case)}
-        grid = [[angles[offset, rate] for offset in offsets] for rate in rates]
-        picture = axes.pcolormesh([1e3 * offset for offset in offsets], rates, grid, vmin=0, vmax=90, cmap="cividis", shading="nearest",
-                                  edgecolors="face")
-        for (offset, rate), angle in angles.items():
-            axes.annotate(f"{abs(angle):.0f}", (1e3 * offset, rate), ha="center", va="center", fontsize=6.5,
-                          color="white" if angle < 50 else INK)
-        # Up to this offset the uncoupled limits hold the moment to the end.
-        for edge, marker in ((0, "^"), (1, "v")):
-            axes.plot(1e3 * sandpaper["mu_r"] / sandpaper["mu"], edge, marker, color=VERMILION, markersize=6, clip_on=False,
-                      transform=axes.get_xaxis_transform())
-        axes.set(title=title, yscale="log", xlabel="offset of the centre of mass  [mm]")
-        axes.grid(False)
-        axes.set_yticks(rates, [f"{rate:g}" for rate in rates])
-        axes.minorticks_off()
-    panels[0].set_ylabel("release  [N/s]")
-    bar = figure.colorbar(picture, ax=panels, ticks=(0, 30, 60, 90), pad=0.02)
-    bar.set_label("turned by  [°]")
-    return figure
 
 
 TWIST_LOOKS = {

@@ -15,16 +15,11 @@ FIGURES = {
     "models": curve_figures.models,
     "tables": curve_figures.tables,
     "god_object": finger_figures.god_object,
-    "repositioning": finger_figures.repositioning,
     "felt": finger_figures.felt,
     "steady_twist": finger_figures.steady_twist,
     "pivot": experiment_figures.pivot,
     "pivot_operator": experiment_figures.pivot_operator,
-    "pivot_offsets": experiment_figures.pivot_offsets,
     "pivot_stiffness": experiment_figures.pivot_stiffness,
-    "pivot_map": finger_figures.pivot_map,
-    "table_1": experiment_figures.table_1,
-    "pinch": experiment_figures.pinch,
     "fits": curve_figures.fits,
     "patches": patch_figures.patches,
     "engines": curve_figures.engines,
@@ -123,19 +118,13 @@ def fits_table(data):
                          unit_of(row)) for row in data["fits"]])
 
 
-def patch_fits_table(data):
-    return facts_table(("data", "parameter", "value", "standard error", "unit"),
-                       [(row["data"], row["parameter"].replace("_", " "), f"{row['value']:.4g}", f"{row['std_error']:.2g}", unit_of(row))
-                        for row in data["patch_fits"]])
-
-
 def sections(data):
     """The page's story: heading, figures, each with what to see in it and what to do, and a table."""
     ellipses = data["validate"].where(model="ellipse")
     over, boxes = sorted(ellipses.column("max_over_estimate")), data["validate"].where(model="box").column("max_error")
     worst = max(ellipses, key=lambda row: row["max_over_estimate"])["law"]
     ratios = cor_ratios(data["ellipse_error"])
-    run, twist = data["replay_runs"][-1], data["steady_twist"][0]
+    run, twist = data["replay_run"][0], data["steady_twist"][0]
     engine = data["translate"][0]
     tolerance, places = data["table_error"][0]["tolerance"], len(data["table_error"].where(law="hertz"))
     finest, largest = min(data["tables"].column("tolerance")), max(data["tables"].column("bytes"))
@@ -178,9 +167,6 @@ towards its goal: r is their stretch, ρ their twist. Three scripted motions in 
 limit curves of several loads. A pure drag stays on the r axis, a pure twist on the ρ axis. In the third motion the finger slides
 and turns while the load changes.""",
              "Compare models on combined motions. Only there do they differ."),
-            ("repositioning", """Single steps of that slip, as in the paper’s Fig. 5. The goal moves on and leaves the proxy outside the current
-load’s curve (diamonds). The step moves it back (dots): along the ray to the origin, or to the closest point.""",
-             "Use the closest point, the default."),
             ("felt", f"""What the user feels. Shaded: the finger slips, according to the exact curve (law {html.escape(run['law'])},
 μ = {run['mu']:g}, k<sub>l</sub> = {run['stiffness']:g} N/m, k<sub>r</sub> = {run['twist_stiffness']:g} N m/rad).""",
              "Use a table and the closest point where a finger slides and turns at once."),
@@ -193,8 +179,7 @@ radial projection the ratio of the springs decides, whatever the curve. About a 
         ], ""),
         experiment_figures.section(data),
         ("From measurements to parameters", [
-            ("fits", """Left: slips from a synthetic sensor log with gross outliers, and the limit curve fitted with a robust loss. The
-lens shows the curve’s 95 % band, barely wider than the line. Right: the residuals. If the model is right, 95 % of them lie in the
+            ("fits", """Left: slips from a synthetic sensor log with gross outliers, and the limit curve fitted with a robust loss. Right: the residuals. If the model is right, 95 % of them lie in the
 grey band.""",
              "Add <code>--loss cauchy</code> if some rows may not be slips."),
         ], fits_table(data)),
@@ -204,7 +189,7 @@ model’s power is the friction coefficient; for a correct model it does not dep
 for three points (blue) and {drifts[1]} for the usual ellipsoid (orange). Nothing is fitted. Right: the best disc is off by
 {percent(square['max_error'], 1)} for a square and {percent(long['max_error'], 0)} for a 5 : 1 rectangle.""",
              "Use the patch itself, or ask <code>limitcurve choose --patch</code>."),
-        ], patch_fits_table(data)),
+        ], ""),
         ("Speed against accuracy", [
             ("work_precision", """Each dot is one way to compute a friction wrench, on one machine. Errors are in units of μP and μPa, like a
 table’s tolerance, not fractions of the limits.""",
