@@ -12,7 +12,7 @@ ROOT = os.path.join("..", "..", "..", "..")
 
 class Limitcurve(ConanFile):
     name, license = "limitcurve", "MIT"
-    description = "Friction limit curves of soft fingers, to a stated error, and a god-object that obeys them"
+    description = "Friction limit curves of soft fingers, with error bounds, and a god-object that obeys them"
     package_type = "library"
     settings = "os", "arch", "compiler", "build_type"
     options = {"shared": [True, False], "fPIC": [True, False], "c": [True, False], "system": [True, False]}
