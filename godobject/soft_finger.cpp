@@ -23,7 +23,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The step of an invalid sample: the last good output is held, and fades from the second invalid sample on.
-FingerOutput fade(FingerState& state, double fault_decay, Fault fault) noexcept {
+const FingerOutput& fade(FingerState& state, double fault_decay, Fault fault) noexcept {
   FingerOutput& output = state.output;
   const double kept = output.state == ContactState::invalid ? fault_decay : 1.0;
   output.state = ContactState::invalid;
@@ -44,16 +44,15 @@ void store(FingerState& state, const FingerSample& sample, const StepInput& inpu
 }
 
 /// The step without contact: the proxy follows the finger.
-FingerOutput release(FingerState& state, const FingerSample& sample, const StepInput& input) noexcept {
-  FingerState free;
-  store(free, sample, input);
-  free.faults.seen = true;
-  free.output.proxy = sample.position();
-  free.output.angle = sample.angle;
-  free.output.depth = input.depth();
-  free.output.normal = sample.normal;
-  state = free;
-  return free.output;
+const FingerOutput& release(FingerState& state, const FingerSample& sample, const StepInput& input) noexcept {
+  state = {};
+  store(state, sample, input);
+  state.faults.seen = true;
+  state.output.proxy = sample.position();
+  state.output.angle = sample.angle;
+  state.output.depth = input.depth();
+  state.output.normal = sample.normal;
+  return state.output;
 }
 
 /// The first sample in contact, or on what the finger landed on anew: the springs are not loaded. Angles are absolute, not relative to α_0 at
@@ -136,26 +135,26 @@ const Patch* SoftFinger::patch() const& noexcept {
   return patch_ ? &patch_->patch() : nullptr;
 }
 
-FingerOutput SoftFinger::update(const AnySurface& surface, const DevicePose& device, double time_step) noexcept {
+const FingerOutput& SoftFinger::update(const AnySurface& surface, const DevicePose& device, double time_step) & noexcept {
   return advance(state_, sense(surface, device, time_step, state_));
 }
 
-FingerOutput SoftFinger::update(const Contact& contact, double twist, double time_step) noexcept {
+const FingerOutput& SoftFinger::update(const Contact& contact, double twist, double time_step) & noexcept {
   return advance(state_, {contact, twist, time_step, state_.spin});
 }
 
-FingerOutput SoftFinger::update(const Contact& contact, const Orientation& orientation, double time_step) noexcept {
+const FingerOutput& SoftFinger::update(const Contact& contact, const Orientation& orientation, double time_step) & noexcept {
   return advance(state_, sense(contact, orientation, time_step, state_));
 }
 
-FingerOutput SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load, double twist, double time_step,
-                                           bool landed) noexcept {
+const FingerOutput& SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load, double twist,
+                                                  double time_step, bool landed) & noexcept {
   // A load that is not finite makes a depth that is NaN.
   return advance(state_, {{point, normal, 0.0 * load, {}, landed}, twist, time_step, state_.spin, Fault::none, true, load});
 }
 
-FingerOutput SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load, const Orientation& orientation,
-                                           double time_step, bool landed) noexcept {
+const FingerOutput& SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load,
+                                                  const Orientation& orientation, double time_step, bool landed) & noexcept {
   return advance(state_, sense({point, normal, 0.0 * load, {}, landed}, orientation, time_step, state_, load));
 }
 
@@ -191,11 +190,11 @@ bool SoftFinger::change(const FingerParameters& parameters) noexcept {
   return true;
 }
 
-FingerOutput SoftFinger::mark_invalid(Fault fault) noexcept {
+const FingerOutput& SoftFinger::mark_invalid(Fault fault) & noexcept {
   return fade(state_, parameters_.fault_decay, fault);
 }
 
-FingerOutput SoftFinger::advance(FingerState& state, const StepInput& input) const noexcept {
+const FingerOutput& SoftFinger::advance(FingerState& state, const StepInput& input) const noexcept {
   // A velocity needs two good samples of one kind in succession.
   const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && input.time_step >= shortest_time_step &&
                             std::isnan(state.output.depth) == input.load.has_value();
@@ -210,22 +209,22 @@ FingerOutput SoftFinger::advance(FingerState& state, const StepInput& input) con
   } else {
     state.held_normal = sample.normal;
   }
-  const FingerOutput& last = state.output;
+  FingerOutput& output = state.output;  // until c. that of the last step
 
   // a. The trial deflection of springs and dampers if the proxy stays (eq. 7).
-  const TrialDeflection trial(parameters_, last.proxy, last.angle, state.sample, sample, has_velocity ? input.time_step : 0.0, input.load);
+  const TrialDeflection trial(parameters_, output.proxy, output.angle, state.sample, sample, has_velocity ? input.time_step : 0.0,
+                              input.load);
 
   // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs. 21–23).
   FrictionMemory<double> friction = state.friction;
   PatchMemory next_patch;
   const KeptDeflection kept =
-      patch_ ? patch_->friction(limits_, trial, sample.normal, input.spin, last.angle, state.patch, input.may_begin, friction, next_patch)
+      patch_ ? patch_->friction(limits_, trial, sample.normal, input.spin, output.angle, state.patch, input.may_begin, friction, next_patch)
              : friction_of_curve(*curve_, projection_, limits_, trial, input.may_begin, friction);
 
-  const ProxyUpdate moved = move_proxy(trial, kept, sample, last);
+  const ProxyUpdate moved = move_proxy(trial, kept, sample, output);
 
   // c. Force and moment on the user.
-  FingerOutput output;
   output.state = moved.slips ? ContactState::slip : ContactState::stick;
   output.proxy = moved.proxy;
   output.angle = moved.angle;
@@ -238,13 +237,13 @@ FingerOutput SoftFinger::advance(FingerState& state, const StepInput& input) con
   const double work = moved.along_slope * output.force.dot(trial.tangential - kept.tangential) + output.moment * (trial.twist - kept.twist);
   output.slip_work = !moved.slips ? 0.0 : kept.converged ? std::max(work, 0.0) : work;
   output.converged = kept.converged;
+  output.fault = Fault::none;
   state.friction = settled(state.friction, friction, curve_ && curve_->is_box(), moved.slips, moved.slid, moved.turned);
   if (patch_) state.patch = {next_patch.zero_axis, next_patch.axis, moved.slips ? next_patch.slip : Vector3d(Vector3d::Zero())};
   store(state, sample, input);
   state.limit_load = trial.limit_load;
   state.trial_force = kept.trial_force;
   state.trial_moment = kept.trial_moment;
-  state.output = output;
   return output;
 }
 

@@ -21,7 +21,7 @@ struct StepInput;
 /// and moment together; the projection decides how a slipping proxy moves.
 ///
 ///     SoftFinger finger(Table::build(hertz()), {.mu = 0.6, .damping = 2.0});
-///     const FingerOutput output = finger.update(surface, device_pose, 1e-3);  // every millisecond
+///     const FingerOutput& output = finger.update(surface, device_pose, 1e-3);  // every millisecond
 ///     device.send(output.whole_force(), output.moment_vector());
 ///
 /// A step takes about 0.1 µs on a plane, and never allocates, throws or locks. Fingers on different threads need no lock.
@@ -50,7 +50,8 @@ class SoftFinger {
   SoftFinger& operator=(const SoftFinger&) = default;
 
   /// One step with the device's pose in the frame of the surface. The twist about the contact normal is the spin of the device's
-  /// orientation (`Spin`) plus `DevicePose::twist`.
+  /// orientation (`Spin`) plus `DevicePose::twist`. Returns `output()`, which the next step overwrites: copy what you keep. In an
+  /// expression with two updates of one finger, both results are the later one.
   ///
   /// Dampers act if the time step [s] since the last update is > 0. Friction then bounds springs and dampers together, and so the force on
   /// the user. The first good sample, and the first after invalid ones, are undamped, because the velocity is unknown.
@@ -58,12 +59,12 @@ class SoftFinger {
   /// Bad input never reaches the user: the state becomes `invalid`, `FingerOutput::fault` names the reason, and the last good output is
   /// held and fades over further invalid samples (`fault_decay`); proxy and contact memory stay. Bad is input that is not finite or beyond
   /// `farthest`, an orientation or normal not of unit length, a displacement beyond `max_displacement`, a time step < 0 or not finite.
-  FingerOutput update(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) noexcept;
+  const FingerOutput& update(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) & noexcept;
   /// One step with a contact found by your own collision detection, and the device's twist α_s [rad] about the normal. The twist may wrap
   /// at any multiple of 2π: a jump of more than π between steps is read as a turn the other way.
-  FingerOutput update(const Contact& contact, double twist, double time_step = 0.0) noexcept;
+  const FingerOutput& update(const Contact& contact, double twist, double time_step = 0.0) & noexcept;
   /// The same with the device's orientation in place of a twist, which is its `Spin` about the normals then.
-  FingerOutput update(const Contact& contact, const Orientation& orientation, double time_step = 0.0) noexcept;
+  const FingerOutput& update(const Contact& contact, const Orientation& orientation, double time_step = 0.0) & noexcept;
 
   /// One step inside a physics engine, which knows the load P [N] but no depth: the engine handles the normal direction, this finger the
   /// friction, bounded at P. All in the surface's frame: `point`, the finger's place on the surface [m], whose motion drives friction; the
@@ -78,10 +79,10 @@ class SoftFinger {
   ///
   /// No path gains more energy than a sampled spring does (scene/passivity.hpp). The spring energy has a part along the normal. A finger
   /// may change between both ways of `update` in a contact; in that step dampers do not act.
-  FingerOutput update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load, double twist,
-                                 double time_step = 0.0, bool landed = false) noexcept;
-  FingerOutput update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load, const Orientation& orientation,
-                                 double time_step = 0.0, bool landed = false) noexcept;
+  const FingerOutput& update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load, double twist,
+                                        double time_step = 0.0, bool landed = false) & noexcept;
+  const FingerOutput& update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load,
+                                        const Orientation& orientation, double time_step = 0.0, bool landed = false) & noexcept;
 
   /// What `update` would return, without changing the state.
   [[nodiscard]] FingerOutput preview(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) const noexcept;
@@ -98,7 +99,7 @@ class SoftFinger {
   [[nodiscard]] std::optional<BadParameter> refusal(const FingerParameters& parameters) const noexcept;
 
   /// A step without a sample: as for an invalid one, with the caller's reason.
-  FingerOutput mark_invalid(Fault fault) noexcept;
+  const FingerOutput& mark_invalid(Fault fault) & noexcept;
 
   [[nodiscard]] const FingerOutput& output() const& noexcept { return state_.output; }
   [[nodiscard]] FingerOutput output() && noexcept { return state_.output; }
@@ -135,7 +136,7 @@ class SoftFinger {
 
   /// The state after `update` if a contact at rest that slips stayed at the sticking limit: makes the force continuous in the pose.
   [[nodiscard]] FingerState try_step(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept;
-  FingerOutput advance(FingerState& state, const StepInput& input) const noexcept;
+  const FingerOutput& advance(FingerState& state, const StepInput& input) const noexcept;
 
   // The contact: exactly one of these is set.
   std::optional<FingerCurve> curve_;

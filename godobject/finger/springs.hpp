@@ -70,28 +70,27 @@ inline void carry_with_normal(Eigen::Vector3d& proxy, Eigen::Vector3d& held, con
 /// Step a: springs and dampers if the proxy stays (eq. 7).
 struct TrialDeflection {
   Springs springs;
-  Deflection spring;                   ///< deflection of the spring, before friction
-  Eigen::Vector3d proxy;               ///< x_p [m]
-  bool moves_along_normal = false;     ///< the proxy was beyond the finger, or higher than friction holds it
-  Eigen::Vector3d relaxed_tangential;  ///< deflection at which springs and dampers are relaxed: along the surface [m],
-  double relaxed_height;               ///< along the normal [m],
-  double relaxed_twist;                ///< and in twist [rad]
-  Eigen::Vector3d tangential;          ///< trial deflection along the surface from the relaxed one [m]
-  double twist;                        ///< trial deflection in twist from the relaxed one [rad]
-  double limit_load;                   ///< P of the friction limit [N]
+  Deflection spring;                                             ///< deflection of the spring, before friction
+  Eigen::Vector3d proxy;                                         ///< x_p [m]
+  bool moves_along_normal = false;                               ///< the proxy was beyond the finger, or higher than friction holds it
+  Eigen::Vector3d relaxed_tangential = Eigen::Vector3d::Zero();  ///< where springs and dampers are relaxed: along the surface [m],
+  double relaxed_height = 0.0;                                   ///< along the normal [m],
+  double relaxed_twist;                                          ///< and in twist [rad]
+  Eigen::Vector3d tangential;                                    ///< trial deflection along the surface from the relaxed one [m]
+  double twist;                                                  ///< trial deflection in twist from the relaxed one [rad]
+  double limit_load;                                             ///< P of the friction limit [N]
 
   /// For a proxy x_p, α_p: from the last sample to the present one. `time_step` [s]; 0: no damper acts. `load`: P [N], where it is given.
   TrialDeflection(const FingerParameters& parameters, const Eigen::Vector3d& before, double angle, const FingerSample& last,
                   const FingerSample& sample, double time_step, const std::optional<double>& load) noexcept
       : springs(parameters, time_step), spring(before, sample), proxy(before) {
     const Eigen::Vector3d& n = sample.normal;
-    Eigen::Vector3d relaxed = Eigen::Vector3d::Zero();
     if (springs.relaxed_fraction > 0.0) {
       const Deflection was(before, last);
-      relaxed = (was.tangential + last.normal * was.height) * springs.relaxed_fraction;
+      const Eigen::Vector3d relaxed = (was.tangential + last.normal * was.height) * springs.relaxed_fraction;
+      relaxed_height = n.dot(relaxed);
+      relaxed_tangential = relaxed - n * relaxed_height;
     }
-    relaxed_height = n.dot(relaxed);
-    relaxed_tangential = relaxed - n * relaxed_height;
     relaxed_twist = (angle - last.angle) * springs.twist_relaxed_fraction;
     const double damper = springs.stiffness - parameters.stiffness;
     // The depth alone sets the limit, as in the paper: what friction gives must not change it.
@@ -142,17 +141,18 @@ struct MovedProxy {
 /// move away from the finger, so that a slip never adds energy.
 [[nodiscard]] inline MovedProxy follow(const TrialDeflection& trial, const FingerSample& sample, const Eigen::Vector3d& kept) noexcept {
   const Eigen::Vector3d tangential = trial.relaxed_tangential + kept;
+  double rise = trial.spring.height - sample.depth;
+  if (rise == 0.0) return {sample.goal + tangential, sample.depth};
   const double before = trial.spring.tangential.squaredNorm();
   const double square = tangential.squaredNorm();
-  double rise = trial.spring.height - sample.depth;
-  if (rise != 0.0 && square < before) {
+  if (square < before) {
     const double longest = std::sqrt(trial.spring.height * trial.spring.height + (before - square));
     rise = std::min(rise * (square / before), longest - sample.depth);
   }
   const double height = sample.depth + rise;
   // A deflection whose square is near underflow is none: the slope would be infinite.
   constexpr double none = 1e-200;
-  const double along_slope = rise != 0.0 && square > none ? std::max(1.0 + 2.0 * height * rise / square, 0.0) : 1.0;
+  const double along_slope = square > none ? std::max(1.0 + 2.0 * height * rise / square, 0.0) : 1.0;
   return {sample.goal + tangential + sample.normal * rise, height, along_slope};
 }
 
