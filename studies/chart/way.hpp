@@ -19,8 +19,6 @@
 #include <utility>
 #include <vector>
 
-#include <time.h>
-
 /// The methods that `studies/chart/measure` measures, each with its error and its time.
 namespace limitcurve::bench {
 
@@ -54,55 +52,19 @@ inline std::vector<double> spread(std::size_t count) {
   return result;
 }
 
-/// Time of this thread [ns]. There are two clocks: one that takes about 20 ns to read, and the thread's own, which needs a system call
-/// and is independent of other work on the machine.
-inline double thread_nanoseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-}
-inline double wall_nanoseconds() {
-  return static_cast<double>(std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1));
-}
-
-/// Median and worst time of a call over its inputs [ns]. Each input counts with the fastest of several calls, so that interrupts do not
-/// count. The clock's own time is subtracted.
-struct CostOverInputs {
-  double median = 0.0;
-  double worst = 0.0;
-};
-
+/// Time of a call [ns], roughly.
 template <class Call>
-CostOverInputs cost_over(const std::vector<double>& inputs, Call&& call, double rough_nanoseconds) {
-  const bool slow = rough_nanoseconds > 2e4;
-  const int calls = static_cast<int>(std::clamp(300.0 / rough_nanoseconds, 1.0, 64.0));
-  const int rounds = rough_nanoseconds > 1e6 ? 1 : 5;
-  const auto now = slow ? thread_nanoseconds : wall_nanoseconds;
-  const auto fastest = [&](auto&& body) {
-    double least = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < rounds; ++round) {
-      const double start = now();
-      body();
-      least = std::min(least, now() - start);
-    }
-    return least;
-  };
-  double clock = fastest([] {});
-  for (int i = 0; i < 100; ++i) clock = std::min(clock, fastest([] {}));
-  std::vector<double> costs;
-  for (const double input : inputs) {
-    double u = input;
-    const double taken = fastest([&] {
-      for (int i = 0; i < calls; ++i) {
-        benchmark::DoNotOptimize(u);
-        auto result = call(u);
-        benchmark::DoNotOptimize(result);
-      }
-    });
-    costs.push_back(std::max(taken - clock, 0.1) / calls);
+double rough_cost(const Call& call) {
+  using Clock = std::chrono::steady_clock;
+  for (std::size_t calls = 1;; calls *= 2) {
+    const std::vector<double> inputs = spread(calls);
+    double sum = 0.0;
+    const Clock::time_point begin = Clock::now();
+    for (const double u : inputs) sum += call(u);
+    benchmark::DoNotOptimize(sum);
+    const double taken = std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
+    if (taken > 1e4) return taken / static_cast<double>(calls);
   }
-  std::sort(costs.begin(), costs.end());
-  return {costs[costs.size() / 2], costs.back()};
 }
 
 /// A pressure law with its reference: the 50-digit values of data/reference at its centres of rotation, and between these `evaluate` in
@@ -135,22 +97,19 @@ class WrenchStudy {
       const UnitWrench wrench = call(SlipTwist::of_spin_fraction(u));
       return wrench.force + wrench.moment;
     };
-    const double rough = std::max(cost_over(spread(8), at, 1e3).median, 0.5);
-    const auto facts = std::make_shared<Facts>();
-    const auto time = [this, call, at, rough, bytes, facts](benchmark::State& state) {
+    const double rough = rough_cost(at);
+    const auto max_error = std::make_shared<double>(std::numeric_limits<double>::quiet_NaN());
+    const auto time = [this, call, at, rough, bytes, max_error](benchmark::State& state) {
       const std::vector<double> inputs = spread(static_cast<std::size_t>(std::clamp(1e6 / rough, 4.0, 1024.0)));
       for (auto _ : state) {
         double sum = 0.0;
         for (const double u : inputs) sum += at(u);
         benchmark::DoNotOptimize(sum);
       }
-      if (!facts->known) *facts = facts_of(call, at, rough);
+      if (std::isnan(*max_error)) *max_error = max_error_of(call, rough);
       const auto calls = static_cast<double>(inputs.size());
       state.counters["seconds"] = benchmark::Counter(calls, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-      state.counters["max_error"] = facts->max_error;
-      state.counters["mean_error"] = facts->mean_error;
-      state.counters["median_ns"] = facts->cost.median;
-      state.counters["worst_ns"] = facts->cost.worst;
+      state.counters["max_error"] = *max_error;
       state.counters["bytes"] = static_cast<double>(bytes);
     };
     ways().push_back({name, time, rough});
@@ -184,25 +143,12 @@ class WrenchStudy {
          10.0});
   }
 
-  struct Facts {
-    bool known = false;
-    double max_error = 0.0;
-    double mean_error = 0.0;
-    CostOverInputs cost;
-  };
-
-  template <class Call, class At>
-  Facts facts_of(const Call& call, const At& at, double rough) const {
-    Facts facts;
-    facts.known = true;
+  template <class Call>
+  double max_error_of(const Call& call, double rough) const {
+    double worst = 0.0;
     const auto count = std::min(places_.size(), special_ + static_cast<std::size_t>(std::max(2e8 / rough, 9.0)));
-    for (std::size_t i = 0; i < count; ++i) {
-      const double error = tolerance_error(call(places_[i]), references_[i], moment_ratio_);
-      facts.max_error = std::fmax(facts.max_error, error);
-      if (i >= special_) facts.mean_error += error / static_cast<double>(count - special_);
-    }
-    facts.cost = cost_over(spread(static_cast<std::size_t>(std::clamp(1e8 / rough, 9.0, 255.0))), at, rough);
-    return facts;
+    for (std::size_t i = 0; i < count; ++i) worst = std::fmax(worst, tolerance_error(call(places_[i]), references_[i], moment_ratio_));
+    return worst;
   }
 
   std::string law_name_;

@@ -102,19 +102,6 @@ void add_peers(const WrenchStudy& study) {
   }
 }
 
-/// Against tolerance^(−1/4), the argument.
-void build_table(benchmark::State& state, const Law& law) {
-  const double tolerance = std::pow(static_cast<double>(state.range(0)), -4.0);
-  std::size_t cells = 0;
-  for (auto _ : state) {
-    const Table table = Table::build(law, tolerance);
-    cells = table.cell_count();
-    benchmark::DoNotOptimize(cells);
-  }
-  state.SetComplexityN(state.range(0));
-  state.counters["cells"] = static_cast<double>(cells);
-}
-
 }  // namespace
 }  // namespace limitcurve::bench
 
@@ -138,14 +125,6 @@ int main(int argc, char** argv) {
     }
   }
   register_steps();
-  for (const char* name : {"hertz", "xydas-kao:k=3"}) {
-    const Law law = parse_law(name);
-    benchmark::RegisterBenchmark(("build/" + std::string(name)).c_str(), [law](benchmark::State& state) { build_table(state, law); })
-        ->RangeMultiplier(2)
-        ->Range(4, 256)
-        ->MinTime(0.05)
-        ->Complexity(benchmark::oN);
-  }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

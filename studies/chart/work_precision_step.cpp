@@ -139,10 +139,6 @@ void step_one(benchmark::State& state, const FingerCurve& curve, Projection proj
   for (auto _ : state) benchmark::DoNotOptimize(stepper.step());
   set(state, error);
   state.counters["seconds"] = seconds_of(1);
-  const CostOverInputs cost = cost_over(
-      spread(1023), [&](double) { return stepper.step(); }, 1e3);
-  state.counters["median_ns"] = cost.median;
-  state.counters["worst_ns"] = cost.worst;
 }
 
 /// Sixteen fingers in turn, as in a scene with many fingers: no step waits for the last one of the same finger.
@@ -159,7 +155,7 @@ void step_many(benchmark::State& state, const FingerCurve& curve, Projection pro
 /// moving to and fro is an exchange of arrays.
 template <class Real>
 void step_batch(benchmark::State& state, const BasicFingerCurve<Real>& curve, Projection projection, const SteadyError& error) {
-  const auto count = static_cast<std::size_t>(state.range(0));
+  constexpr std::size_t count = 1024;
   const BasicBatch<Real> batch(curve, parameters(2.0, curve.moment_ratio()), projection);
   BasicContactArrays<Real> arrays(count);
   std::vector<Real> back(count);
@@ -177,13 +173,12 @@ void step_batch(benchmark::State& state, const BasicFingerCurve<Real>& curve, Pr
     std::swap(contacts.twist, other_angle);
     batch.step(contacts);
   };
-  // The first contact and the first slips take longer; the largest batches have time for few steps.
+  // The first contact and the first slips take longer.
   for (int i = 0; i < 12; ++i) turn_round_and_step();
   for (auto _ : state) {
     turn_round_and_step();
     benchmark::ClobberMemory();
   }
-  state.SetComplexityN(state.range(0));
   state.counters["seconds"] = seconds_of(count);
   set(state, error);
 }
@@ -192,16 +187,11 @@ void step_batch(benchmark::State& state, const BasicFingerCurve<Real>& curve, Pr
 
 void register_steps() {
   const Law law = hertz();
-  const auto of_sizes = [](benchmark::internal::Benchmark* batches) {
-    batches->MinTime(0.01)->Repetitions(9);
-    for (const int size : {1, 4, 64, 1024, 65536}) batches->Arg(size);
-  };
-  const auto to_ten_million = [](benchmark::internal::Benchmark* batches) {
-    batches->RangeMultiplier(10)->Range(1000, 10'000'000)->MinTime(0.05)->Complexity(benchmark::oN);
-  };
   const auto add_batch = [&]<class Real>(const std::string& name, const BasicFingerCurve<Real>& curve, Projection projection) {
     const SteadyError error = steady_error(law, curve, projection);
-    return benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { step_batch<Real>(state, curve, projection, error); });
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { step_batch<Real>(state, curve, projection, error); })
+        ->MinTime(0.01)
+        ->Repetitions(9);
   };
   const auto add = [&](const std::string& curve_name, const FingerCurve& curve, Projection projection) {
     const std::string name = curve_name + '/' + std::string(to_string(projection));
@@ -217,7 +207,7 @@ void register_steps() {
           ->MinTime(0.01)
           ->Repetitions(9);
     }
-    of_sizes(add_batch("batch/" + name, curve, projection));
+    add_batch("batch/" + name, curve, projection);
   };
   const auto add_both = [&](const std::string& name, const FingerCurve& curve) {
     add(name, curve, Projection::radial);
@@ -229,15 +219,11 @@ void register_steps() {
   for (const int digits : {2, 4, 6, 8, 10, 14}) {
     add_both("table 1e-" + std::to_string(digits), Table::build(law, std::pow(10.0, -digits)));
   }
-  of_sizes(add_batch("batch/float ellipse/radial", BasicFingerCurve<float>(ellipse), Projection::radial));
+  add_batch("batch/float ellipse/radial", BasicFingerCurve<float>(ellipse), Projection::radial);
   for (const int digits : {2, 4, 6}) {
     const BasicFingerCurve<float> curve(FloatTable::build(law, std::pow(10.0, -digits)));
-    of_sizes(add_batch("batch/float table 1e-" + std::to_string(digits) + "/closest-point", curve, Projection::closest_point));
+    add_batch("batch/float table 1e-" + std::to_string(digits) + "/closest-point", curve, Projection::closest_point);
   }
-  to_ten_million(add_batch("scale/ellipse/radial", FingerCurve(ellipse), Projection::radial));
-  to_ten_million(add_batch("scale/table 1e-6/closest-point", FingerCurve(Table::build(law, 1e-6)), Projection::closest_point));
-  to_ten_million(
-      add_batch("scale/float table 1e-6/closest-point", BasicFingerCurve<float>(FloatTable::build(law, 1e-6)), Projection::closest_point));
 }
 
 }  // namespace limitcurve::bench

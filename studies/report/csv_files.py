@@ -238,7 +238,7 @@ def others(files):
     measured = [row for name in ("drag_pypi", "drag") for row in read(DATA / "engines" / f"{name}.csv")]
     files.write("engine_drag", [{name: row[name] for name in measured[-1]} for row in measured
                                 if row["engine"] in ("mujoco", "bullet", "ode") and row.get("contact", "ball") == "ball"])
-    for name in ("wrench", "step", "scaling"):
+    for name in ("wrench", "step"):
         copy(files, f"work_precision_{name}", f"work_precision/{name}.csv")
 
 
