@@ -2,7 +2,6 @@
 // Error against time of every method to compute a friction wrench, ours and others'. studies/chart/measure runs it and draws the
 // chart; by hand it is a Google Benchmark.
 #include "by_ring.hpp"
-#include "fixed_gauss.hpp"
 #include "number_text.hpp"
 #include "peers.hpp"
 #include "way.hpp"
@@ -40,10 +39,10 @@ struct LookUp {
 };
 
 template <class Rule>
-void add_of_cor(const WrenchStudy& study, const char* kind, const char* family, const std::string& parameter, Rule rule) {
+void add_of_cor(const WrenchStudy& study, const char* family, const std::string& parameter, Rule rule) {
   std::size_t bytes = 0;
   if constexpr (requires { rule.bytes(); }) bytes = rule.bytes();
-  study.add(kind, family, parameter, bytes, [rule](SlipTwist twist) { return rule(std::min(twist.cor(), farthest)); });
+  study.add("others", family, parameter, bytes, [rule](SlipTwist twist) { return rule(std::min(twist.cor(), farthest)); });
 }
 
 void add_evaluators(const WrenchStudy& study) {
@@ -63,12 +62,6 @@ void add_evaluators(const WrenchStudy& study) {
   add_method("ring", limitcurve::Method::ring);
   add_method("punch", limitcurve::Method::punch);
   add_method("direct", limitcurve::Method::direct);
-}
-
-template <unsigned... orders>
-void add_gauss(const WrenchStudy& study) {
-  (add_of_cor(study, "ours", "Gauss", std::to_string(orders), FixedGauss(*study.law(), boost::math::quadrature::gauss<double, orders>{})),
-   ...);
 }
 
 void add_curves(const WrenchStudy& study) {
@@ -92,13 +85,13 @@ void add_peers(const WrenchStudy& study) {
     study.add("others", "Hermite", std::to_string(entries), table.bytes(), table);
   }
   for (const int cells : {20, 50, 100, 200, 500, 1000}) {
-    add_of_cor(study, "others", "grid", std::to_string(cells), Grid(law, cells));
+    add_of_cor(study, "grid", std::to_string(cells), Grid(law, cells));
   }
   for (const double tolerance : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12}) {
-    add_of_cor(study, "others", "Boost split", study::number_text(tolerance), BoostSplit(law, tolerance));
+    add_of_cor(study, "Boost split", study::number_text(tolerance), BoostSplit(law, tolerance));
   }
   for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
-    add_of_cor(study, "others", "Boost nested", study::number_text(tolerance), BoostNested(law, tolerance));
+    add_of_cor(study, "Boost nested", study::number_text(tolerance), BoostNested(law, tolerance));
   }
 }
 
@@ -112,7 +105,6 @@ int main(int argc, char** argv) {
   for (const char* name : {"hertz", "uniform", "flat-punch", "xydas-kao:k=3", "power:n=2.3"}) {
     const WrenchStudy& study = studies.emplace_back(name, parse_law(name));
     add_evaluators(study);
-    add_gauss<7, 10, 15, 20, 30>(study);
     add_curves(study);
     add_peers(study);
   }

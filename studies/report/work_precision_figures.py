@@ -4,7 +4,7 @@
 import math
 
 import matplotlib.pyplot as plt
-from .chart_style import BLUE, FAINT, GREEN, GRID, INK, PURPLE, SKY, VERMILION
+from .chart_style import BLUE, FAINT, GREEN, GRID, INK, PURPLE, VERMILION
 
 # Errors below the rounding of a double are drawn there.
 ROUNDING = 1e-16
@@ -18,7 +18,6 @@ FAMILIES = {
     "large table": (BLUE, "s", (0, (1, 1)), True),
     "closed": (GREEN, "*", "-", False),
     "forces": (GREEN, "D", "-", False),
-    "Gauss": (SKY, "^", "-", True),
     "ring": (PURPLE, "D", "-", True),
     "punch": (PURPLE, "v", "-", True),
     "direct": (PURPLE, "X", "-", True),
@@ -33,7 +32,6 @@ ENDS_NAMED = ("grid", "Boost split", "Boost nested", "scipy dblquad")
 LEGEND = {
     "table": "look-up table, its tolerance",
     "large table": "look-up table in 96 KiB, its tolerance",
-    "Gauss": "one Gauss rule, its order",
     "ring": "one integral over the radius",
     "punch": "superposed flat punches",
     "direct": "eq. (17) as printed",
