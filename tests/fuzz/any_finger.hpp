@@ -4,11 +4,14 @@
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/limitcurve.hpp"
+#include "limitcurve/table_file.hpp"
 #include "tests/fuzz/fuzz.hpp"
 #include "tests/superellipse.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -44,6 +47,23 @@ inline godobject::FingerParameters any_parameters(Bytes& bytes) {
   return result;
 }
 
+/// The folder, if any, that tables are kept in: what a table is built from, functions in extended precision, differs between machines.
+inline std::filesystem::path kept_tables;
+
+/// The table of that name, as it is kept, or built.
+template <class Real, class Curve>
+BasicTable<Real> table_of(const std::string& name, const Curve& curve, double tolerance) {
+  const BasicTable<Real> built = BasicTable<Real>::build(curve, tolerance, {.name = name});
+  if constexpr (std::is_same_v<Real, double>) {
+    if (kept_tables.empty()) return built;
+    const std::filesystem::path path = kept_tables / (name + ".csv");
+    if (!std::filesystem::exists(path)) std::ofstream(path) << to_csv(built);
+    std::ifstream file(path);
+    return read_table_csv(std::string(std::istreambuf_iterator<char>(file), {}), path.string());
+  }
+  return built;
+}
+
 /// A curve and a projection that goes with it.
 template <class Real>
 struct CurveAndProjection {
@@ -57,13 +77,14 @@ const CurveAndProjection<Real>& any_curve(Bytes& bytes) {
   using godobject::Projection;
   static const std::vector<CurveAndProjection<Real>> choices = [] {
     const Law law = hertz();
-    const double finest = std::max(BasicTable<Real>::finest_tolerance, 1e-12);
-    const BasicTable<Real> coarse = BasicTable<Real>::build(law, 1e-3);
-    const BasicTable<Real> table = BasicTable<Real>::build(law, 1e-6);
-    const BasicTable<Real> fine = BasicTable<Real>::build(law, finest);
     const double m0 = law->moment_ratio();
-    const BasicTable<Real> pointed = BasicTable<Real>::build(test::Superellipse{1.0, m0, 1.725}, 1e-6, {.name = "pointed"});
-    const BasicTable<Real> blunt = BasicTable<Real>::build(test::Superellipse{1.0, m0, 3.0}, 1e-4, {.name = "blunt"});
+    const auto coarse = table_of<Real>("coarse", law, 1e-3);
+    const auto table = table_of<Real>("table", law, 1e-6);
+    constexpr double finest = std::max(BasicTable<Real>::finest_tolerance, 1e-12);
+    const auto fine = table_of<Real>("fine", law, finest);
+    const auto pointed = table_of<Real>("pointed", test::Superellipse{1.0, m0, 1.725}, 1e-6);
+    const auto edge = table_of<Real>("edge", flat_punch(), std::max(finest, 1e-8));
+    const auto blunt = table_of<Real>("blunt", test::Superellipse{1.0, m0, 3.0}, 1e-4);
     const Ellipse ellipse = Ellipse::through_intercepts(m0);
     return std::vector<CurveAndProjection<Real>>{{table, Projection::closest_point},
                                                  {table, Projection::c_curve},
@@ -76,7 +97,9 @@ const CurveAndProjection<Real>& any_curve(Bytes& bytes) {
                                                  {blunt, Projection::closest_point},
                                                  {pointed, Projection::c_curve},
                                                  {coarse, Projection::c_curve},
-                                                 {blunt, Projection::radial}};
+                                                 {blunt, Projection::radial},
+                                                 {edge, Projection::closest_point},
+                                                 {edge, Projection::c_curve}};
   }();
   return choices[bytes.take<std::uint8_t>() % choices.size()];
 }

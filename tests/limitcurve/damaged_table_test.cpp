@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tables made of cells that a file may hold: what is whole is taken, what is not is refused by name.
-#include "complaint.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
+#include "tests/complaint.hpp"
 
 #include <gtest/gtest.h>
 

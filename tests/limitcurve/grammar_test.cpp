@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Law strings: what is accepted, and what a refusal says.
-#include "complaint.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "special_values.hpp"
+#include "tests/complaint.hpp"
 
 #include <gtest/gtest.h>
 

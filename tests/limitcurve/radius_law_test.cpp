@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/contact/radius_law.hpp"
-#include "complaint.hpp"
 #include "special_values.hpp"
+#include "tests/complaint.hpp"
 
 #include <gtest/gtest.h>
 

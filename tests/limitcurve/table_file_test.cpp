@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table_file.hpp"
-#include "complaint.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/shell_word.hpp"
 #include "limitcurve/laws.hpp"
 #include "probes.hpp"
+#include "tests/complaint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,12 +23,7 @@ namespace {
 
 /// What complaint a damaged file gets.
 std::string complaint_about_table(const std::string& text) {
-  try {
-    read_table_csv(text, "torn.csv");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "none";
+  return test::complaint([&] { read_table_csv(text, "torn.csv"); });
 }
 
 bool has(const std::string& text, std::string_view part) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table.hpp"
-#include "complaint.hpp"
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
@@ -9,6 +8,7 @@
 #include "limitcurve/quadrature/evaluators.hpp"
 #include "special_values.hpp"
 #include "table_errors.hpp"
+#include "tests/complaint.hpp"
 #include "tests/repetitions.hpp"
 #include "tests/superellipse.hpp"
 
@@ -208,7 +208,7 @@ TEST(Table, NamesThePowerOfTenThatIsPossible) {
   // Near pure spin its force is the fifth root of x: no cell begins near enough to 0.
   const test::Superellipse blunt{1.0, 0.58, 6.0};
   const auto build = [&](double tolerance) { return Table::build(blunt, tolerance, {.name = "superellipse:n=6"}); };
-  const std::string text = complaint([&] { build(1e-12); });
+  const std::string text = complaint<std::runtime_error>([&] { build(1e-12); });
   expect_mention(text, "superellipse:n=6");
   expect_mention(text, "1e-12");
   expect_mention(text, " is possible");

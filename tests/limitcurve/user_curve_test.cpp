@@ -4,7 +4,7 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 #include "special_values.hpp"
-#include "tests/limitcurve/complaint.hpp"
+#include "tests/complaint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table_file.hpp"
-#include "tests/limitcurve/complaint.hpp"
+#include "tests/complaint.hpp"
 #include "tests/limitcurve/probes.hpp"
 
 #include <gtest/gtest.h>

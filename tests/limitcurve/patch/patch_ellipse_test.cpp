@@ -2,7 +2,7 @@
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/laws.hpp"
 #include "patch_cases.hpp"
-#include "tests/limitcurve/complaint.hpp"
+#include "tests/complaint.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>

@@ -124,25 +124,6 @@ TEST(PatchPoints, OneHoldsForcesThroughItself) {
   }
 }
 
-/// Points under orthotropic friction by brute force, about the origin, in extended precision.
-PatchFriction orthotropic_points(const std::vector<PatchLoad>& loads, long double mx, long double my, const PatchTwist& twist) {
-  long double total = 0;
-  for (const PatchLoad& point : loads) total += point.load;
-  long double sums[4] = {};
-  for (const auto& [x, y, load] : loads) {
-    // The product has more digits than long double, and next to the COR they count.
-    const long double ux = mx * std::fma(static_cast<long double>(-twist.omega), y, twist.vx);
-    const long double uy = my * std::fma(static_cast<long double>(twist.omega), x, twist.vy);
-    const long double speed = std::hypot(ux, uy);
-    const long double share = load / total;
-    sums[0] += share * speed;
-    sums[1] += share * mx * ux / speed;
-    sums[2] += share * my * uy / speed;
-    sums[3] += share * (x * my * uy - y * mx * ux) / speed;
-  }
-  return {static_cast<double>(sums[0]), {static_cast<double>(sums[1]), static_cast<double>(sums[2]), static_cast<double>(sums[3])}, 0.0};
-}
-
 TEST(PatchOrthotropic, PointsBesideTheCorKeepTheirStatedError) {
   const std::vector<PatchLoad> loads{{0.31, 0.13, 1}, {-0.23, 0.51, 2}, {0.11, -0.47, 1.5}};
   for (const auto& [mx, my] : {std::pair{0.7, 1.6}, {1.3, 0.9}, {3.3e5, 1.7e-4}}) {
@@ -152,7 +133,7 @@ TEST(PatchOrthotropic, PointsBesideTheCorKeepTheirStatedError) {
         for (const double angle : {0.1, 1.0, 2.5, 4.0}) {
           const double omega = 0.9;
           const PatchTwist twist = about({point.x + near * std::cos(angle), point.y + near * std::sin(angle)}, omega);
-          const PatchFriction exact = orthotropic_points(loads, mx, my, twist);
+          const PatchFriction exact = points_by_sum(loads, twist, {0, 0}, mx, my);
           const PatchFriction friction = points.about_origin(twist);
           EXPECT_LE(test::difference(friction, exact, points.moment_ratio()), friction.error + witness_error)
               << mx << ' ' << my << ' ' << near << ' ' << angle;
@@ -172,7 +153,7 @@ TEST(PatchOrthotropic, TwistsOfAnySizeGiveTheSameWrench) {
         // The same twist times a power of two: no digit of it changes.
         const int exponent = -std::ilogb(size);
         const PatchTwist usual{std::ldexp(twist.vx, exponent), std::ldexp(twist.vy, exponent), std::ldexp(twist.omega, exponent)};
-        const PatchFriction exact = orthotropic_points(loads, mx, my, usual);
+        const PatchFriction exact = points_by_sum(loads, usual, {0, 0}, mx, my);
         const PatchFriction friction = patch.about_origin(twist);
         EXPECT_LE(std::hypot(friction.wrench.fx - exact.wrench.fx, friction.wrench.fy - exact.wrench.fy), friction.error) << size;
         EXPECT_LE(std::fabs(friction.wrench.moment - exact.wrench.moment), friction.error * patch.moment_ratio()) << size;

@@ -49,6 +49,7 @@ TEST(PatchPolygon, WithTheCorOnVerticesEdgesAndTheirLines) {
   }
 }
 
+// Twice the mean distance from a corner of a unit square, B₂(1) (Bailey, Borwein, Crandall, J. Comput. Appl. Math. 206:196, 2007).
 TEST(PatchPolygon, SquareHasItsKnownSpin) {
   EXPECT_NEAR(Patch::rectangle(2.0, 2.0).moment_ratio(), (std::sqrt(2.0) + std::asinh(1.0)) / 3.0, 1e-15);
 }

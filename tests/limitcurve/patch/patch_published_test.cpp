@@ -22,11 +22,5 @@ TEST(PatchPublished, ADumbbellHasAnEllipseAndADiamond) {
   }
 }
 
-// Bailey, Borwein, Crandall, J. Comput. Appl. Math. 206:196, 2007: the mean distance B₂(1) = 0.7652 from a corner of a unit square, half of it
-// from its middle. Friction's power is a mean distance.
-TEST(PatchPublished, MeanDistanceFromTheMiddleOfASquare) {
-  EXPECT_NEAR(Patch::rectangle(1.0, 1.0).power({0.0, 0.0, 1.0}), 0.7652 / 2.0, 5e-5);
-}
-
 }  // namespace
 }  // namespace limitcurve::test

@@ -104,7 +104,7 @@ Means far_triangle(Wide x1, Wide y1, Wide x2, Wide y2, Wide cx, Wide cy, Wide& m
 
 }  // namespace
 
-PatchFriction points_by_sum(std::span<const PatchLoad> loads, const PatchTwist& twist, PatchPoint about) {
+PatchFriction points_by_sum(std::span<const PatchLoad> loads, const PatchTwist& twist, PatchPoint about, double mx, double my) {
   Wide total = 0;
   for (const PatchLoad& point : loads) total += point.load;
   Wide power = 0;
@@ -114,15 +114,16 @@ PatchFriction points_by_sum(std::span<const PatchLoad> loads, const PatchTwist& 
   for (const PatchLoad& point : loads) {
     const Wide x = Wide(point.x) - about.x;
     const Wide y = Wide(point.y) - about.y;
-    const Wide ux = twist.vx - twist.omega * y;
-    const Wide uy = twist.vy + twist.omega * x;
+    // The product has more digits than long double, and next to the COR they count.
+    const Wide ux = mx * std::fma(Wide(-twist.omega), y, Wide(twist.vx));
+    const Wide uy = my * std::fma(Wide(twist.omega), x, Wide(twist.vy));
     const Wide speed = std::hypot(ux, uy);
     if (speed == 0) continue;
     const Wide share = point.load / total;
     power += share * speed;
-    fx += share * ux / speed;
-    fy += share * uy / speed;
-    moment += share * (x * uy - y * ux) / speed;
+    fx += share * mx * ux / speed;
+    fy += share * my * uy / speed;
+    moment += share * (x * my * uy - y * mx * ux) / speed;
   }
   return {static_cast<double>(power), {static_cast<double>(fx), static_cast<double>(fy), static_cast<double>(moment)}, 0.0};
 }

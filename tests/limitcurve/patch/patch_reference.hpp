@@ -10,7 +10,7 @@
 /// Twists and moments refer to the point `about`; `error` is left at 0.
 namespace limitcurve::test {
 
-PatchFriction points_by_sum(std::span<const PatchLoad> loads, const PatchTwist& twist, PatchPoint about);
+PatchFriction points_by_sum(std::span<const PatchLoad> loads, const PatchTwist& twist, PatchPoint about, double mx = 1.0, double my = 1.0);
 
 /// Signed triangles from the COR to each edge, along the edge by tanh–sinh; for a far COR Gauss points all over the polygon. `about` must be the
 /// centre of pressure. For ω ≠ 0.

@@ -3,7 +3,7 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 #include "patch_cases.hpp"
-#include "tests/limitcurve/complaint.hpp"
+#include "tests/complaint.hpp"
 
 #include <gtest/gtest.h>
 

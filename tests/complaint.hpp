@@ -3,17 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include <exception>
+#include <stdexcept>
 #include <string>
 
 namespace limitcurve::test {
 
-/// What `make` complains about.
-template <class Make>
+/// What `make` complains about its input; "none" if it accepts.
+template <class Error = std::invalid_argument, class Make>
 std::string complaint(const Make& make) {
   try {
     make();
-  } catch (const std::exception& error) {
+  } catch (const Error& error) {
     return error.what();
   }
   return "none";
