@@ -36,10 +36,8 @@ struct Work {
   double sum = 0.0;  // [J]
   bool all_stick = true;
 
-  void add(const DevicePose& to, const FingerOutput& output) { add(to, output, output.load); }
-  /// With another normal force in place of the load.
-  void add(const DevicePose& to, const FingerOutput& output, double load) {
-    const Vector3d force = output.normal * load + output.force;
+  void add(const DevicePose& to, const FingerOutput& output) {
+    const Vector3d force = output.whole_force();
     const Vector3d moment = output.moment_vector();
     if (known_) {
       const AngleAxisd turn(to.orientation * last_.orientation.conjugate());
@@ -98,46 +96,6 @@ TEST(CurvedSurface, ConingFeedsNothingButTheSprings) {
   EXPECT_TRUE(work.all_stick);
   EXPECT_GT(std::fabs(finger.spring_energy() - begin), begin);  // by 2π(1 − cos 0.3) a turn
   EXPECT_NEAR(work.sum, begin - finger.spring_energy(), 1e-8 * begin);
-}
-
-// Out on a ball at one depth and back at another, a stuck finger gives its user nothing; k_l times the tangential part of x_p − x_g would
-// give ½ k s² Δd/R, 1.875e-5 J, each time round, and so would the load that bounds friction in place of the load: it lacks the surface's push.
-TEST(CurvedSurface, ALoopOfAStuckFingerWinsNothing) {
-  struct Shape {
-    const char* name;
-    AnySurface surface;
-    Vector3d along;  // the loop goes round this axis
-  };
-  const std::vector<Shape> shapes{{"plane", AnySurface(PlaneSurface{}), Vector3d::UnitY()},
-                                  {"sphere", AnySurface(SphereSurface(0.01)), Vector3d::UnitY()},
-                                  {"capsule", AnySurface(CapsuleSurface(0.01, 0.02)), Vector3d::UnitZ()},
-                                  {"cylinder", AnySurface(CylinderSurface(0.01, 0.02)), Vector3d::UnitZ()}};
-  for (const Shape& shape : shapes) {
-    const bool is_flat = shape.name == std::string_view("plane");
-    const auto place = [&](double s, double depth) -> Vector3d {
-      if (is_flat) return {s, 0.0, -depth};
-      return about(shape.along, s / 0.01) * ((0.01 - depth) * Vector3d::UnitX());
-    };
-    SoftFinger finger = finger_of(skin());
-    Work work, without_push;
-    const auto go = [&](double s, double depth) {
-      const DevicePose device{place(s, depth)};
-      work.add(device, finger.update(shape.surface, device));
-      without_push.add(device, finger.output(), finger.state().limit_load);
-    };
-    constexpr int steps = 4000;
-    go(0.0, 0.0025);
-    for (int loop = 0; loop < 3; ++loop) {
-      for (int i = 1; i <= steps; ++i) go(5e-4 * i / steps, 0.0025);
-      for (int i = 1; i <= steps; ++i) go(5e-4, 0.0025 - 0.0015 * i / steps);
-      for (int i = 1; i <= steps; ++i) go(5e-4 - 5e-4 * i / steps, 0.001);
-      for (int i = 1; i <= steps; ++i) go(0.0, 0.001 + 0.0015 * i / steps);
-    }
-    EXPECT_TRUE(work.all_stick) << shape.name;
-    // The force is linear in the finger's position, so the trapezoidal rule is exact.
-    EXPECT_LT(std::fabs(work.sum), 1e-15) << shape.name;
-    EXPECT_NEAR(std::fabs(without_push.sum), is_flat ? 0.0 : 3 * 1.875e-5, 1e-7) << shape.name;
-  }
 }
 
 // Point 4: with dampers and a normal that turns, friction has no part along the normal.

@@ -75,79 +75,41 @@ struct StudySample {
   double load;
 };
 
-/// A random motion within the scene's rates, displacements and loads, sample by sample. There are four kinds: sliding and twisting in
-/// turn; random velocities that change again and again; the same with reversals; waves. The load is constant, oscillates, jumps, or rises
-/// and falls linearly.
+/// A random motion within the scene's rates, displacements and loads, sample by sample: velocities that change again and again, or turn back, or a
+/// slide and a twist in turn. The load is constant, oscillates or jumps.
 std::vector<StudySample> random_motion(const Scene& scene, Random& random) {
-  using std::numbers::pi;
   const auto one_of = [&](int count) { return static_cast<int>(random.uniform(0.0, count)); };
   constexpr int samples = 4000;
-  const int kind = one_of(4);
-  const int load_kind = one_of(4);
-  const double load_period = random.logarithmic(50.0, 2000.0);  // in samples, as all that follow
-  const double load_phase = random.uniform(0.0, 2.0 * pi);
-  struct WaveOf {
-    double period;
-    double phase;
-    [[nodiscard]] double at(int i) const { return std::sin(2.0 * pi * i / period + phase); }
-  };
-  const auto wave = [&] { return WaveOf{random.logarithmic(50.0, 1000.0), random.uniform(0.0, 2.0 * pi)}; };
-  const std::array<WaveOf, 3> waves{wave(), wave(), wave()};
-
+  const int kind = one_of(3);
+  const int load_kind = one_of(3);
+  const double load_speed = 6.3 / random.logarithmic(50.0, 2000.0);  // a sample
   double vx = 0.0;
   double vy = 0.0;
   double spin = 0.0;
-  const auto slide_anywhere = [&](double speed) {
-    const double direction = random.uniform(0.0, 2.0 * pi);
-    vx = speed * std::cos(direction);
-    vy = speed * std::sin(direction);
-  };
   bool slides = false;
   double left = 0.0;
   StudySample at{0.0, 0.0, 0.0, random.uniform(scene.least_load, scene.most_load)};
   std::vector<StudySample> motion{at};
   for (int i = 0; i < samples; ++i, left -= 1.0) {
-    if (kind == 3) {
-      vx = 0.7 * scene.slide_speed * waves[0].at(i);
-      vy = 0.7 * scene.slide_speed * waves[1].at(i);
-      spin = scene.twist_rate * waves[2].at(i);
-      if (left <= 0.0) left = random.logarithmic(20.0, 800.0);
-    } else if (left <= 0.0) {
-      const double share = random.uniform(0.2, 1.0);
-      if (kind == 0) {
-        slides = !slides;
-        slide_anywhere(slides ? share * scene.slide_speed : 0.0);
-        spin = slides ? 0.0 : std::copysign(share * scene.twist_rate, random.uniform(-1.0, 1.0));
-      } else if (kind == 1 || one_of(3) == 0) {
-        slide_anywhere(share * scene.slide_speed);
-        spin = random.uniform(-1.0, 1.0) * scene.twist_rate;
-      } else {
-        if (one_of(2) == 0) {
-          vx = -vx;
-          vy = -vy;
-        }
-        if (one_of(2) == 0) spin = -spin;
-      }
+    if (left <= 0.0) {
+      slides = !slides;
+      const double direction = random.uniform(0.0, 2.0 * std::numbers::pi);
+      const double speed = kind == 0 && !slides ? 0.0 : random.uniform(0.2, 1.0) * scene.slide_speed;
+      const double twist_rate = kind == 0 && slides ? 0.0 : random.uniform(-1.0, 1.0) * scene.twist_rate;
+      const bool turns_back = kind == 1 && one_of(3) > 0;
+      vx = turns_back ? -vx : speed * std::cos(direction);
+      vy = turns_back ? -vy : speed * std::sin(direction);
+      spin = turns_back && one_of(2) == 0 ? -spin : twist_rate;
       left = random.logarithmic(20.0, 1500.0);
       if (load_kind == 2) at.load = random.uniform(scene.least_load, scene.most_load);
     }
-    const double x = at.x + vx * scene.sample_time;
-    const double y = at.y + vy * scene.sample_time;
-    const double twist = at.twist + spin * scene.sample_time;
-    if (std::hypot(x, y) <= scene.slide) {
-      at.x = x;
-      at.y = y;
-    } else {
+    const StudySample next{at.x + vx * scene.sample_time, at.y + vy * scene.sample_time, at.twist + spin * scene.sample_time, at.load};
+    if (std::hypot(next.x, next.y) > scene.slide || std::fabs(next.twist) > scene.twist) {
       left = 0.0;
-    }
-    if (std::fabs(twist) <= scene.twist) {
-      at.twist = twist;
     } else {
-      left = 0.0;
+      at = next;
     }
-    const double rise = load_kind == 1 ? 0.5 + 0.5 * std::sin(2.0 * pi * i / load_period + load_phase)
-                                       : 1.0 - std::fabs(std::fmod(i / load_period, 2.0) - 1.0);
-    if (load_kind % 2 == 1) at.load = scene.least_load + (scene.most_load - scene.least_load) * rise;
+    if (load_kind == 1) at.load = std::lerp(scene.least_load, scene.most_load, 0.5 + 0.5 * std::sin(load_speed * i));
     motion.push_back(at);
   }
   return motion;
