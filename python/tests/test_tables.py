@@ -95,8 +95,6 @@ def test_run_takes_every_subcommand(command_line):
         lc.run("p-curves", law="hertz", radius_law="constant:a=0.005", mu=0.5, loads=(1, 2.5), points=5),
         command_line("p-curves", "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", 0.5, "--loads", "1,2.5", "--points", 5),
     )
-    same(lc.run("patch", patch="rectangle:x=0.02,y=0.01", twists={"vx": [0.1, 0], "vy": [0, 0], "omega": [0, 1.0]}),
-         lc.run("patch", patch="rectangle:x=0.02,y=0.01", twists={"vx": [0.1, 0], "vy": [0, 0], "omega": [0, 1.0]}))
 
 
 def test_a_law_from_arrays_goes_where_a_law_goes():

@@ -141,12 +141,6 @@ class Fit(CommandLineTest):
     def test_columns(self):
         self.assertEqual(header("fit", "ellipse", "--law", "hertz"), "parameter,value,std_error,unit,note")
 
-    def test_the_exact_curve(self):
-        ellipse, _ = self.fitted("ellipse", "--law", "hertz")
-        self.assertTrue(0.95 < ellipse["force_max"] < 1)
-        through = self.fitted("ellipse", "--law", "uniform", "--criterion", "intercepts")[0]
-        self.assertEqual(through, {"force_max": 1, "moment_max": 2 / 3})
-
     def test_the_ellipse_of_validate_is_that_of_fit(self):
         validated = next(row for row in rows("validate", "--law", "cone") if row["model"] == "ellipse-least-squares")
         self.assertEqual(self.fitted("ellipse", "--law", "cone")[0]["force_max"], validated["parameter"])

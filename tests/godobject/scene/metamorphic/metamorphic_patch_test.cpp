@@ -3,7 +3,6 @@
 // surface.
 #include "tests/godobject/scene/metamorphic/metamorphic.hpp"
 
-#include "godobject/body/grasp.hpp"
 #include "limitcurve/patch/patch.hpp"
 
 namespace limitcurve::godobject::test::metamorphic {
@@ -151,36 +150,6 @@ TEST(MetamorphicPatch, AnAxisNormalToTheSurfaceIsTransported) {
     EXPECT_NEAR(std::max(one, other), 1.0, 1e-9);
     EXPECT_NEAR(std::min(one, other), 0.25, 1e-9);
   }
-}
-
-// What the body gains of momentum is what the fingers give it, as its user feels them, and gravity: a
-// block that two fingers squeeze and turn for a second.
-TEST(MetamorphicPatch, AFreeBodyHeldByPatchesKeepsItsMomentum) {
-  FingerParameters with = parameters(0.6, 0.006, 1000.0, 0.036);
-  with.damping = 1.0;
-  const BodyParameters body = BodyParameters::block(0.1, {0.08, 0.04, 0.04});
-  const AnySurface surface{BoxSurface{Vector3d(0.04, 0.02, 0.02)}};
-  Grasp grasp(body, {}, surface, std::vector<SoftFinger>(2, SoftFinger(grooved(), with)));
-  int slips = 0;
-  for (int i = 0; i < 1000; ++i) {
-    const double time = 1e-3 * i;
-    std::array<DevicePose, 2> devices;
-    for (DevicePose& device : devices) {
-      const double side = &device == devices.data() ? 1.0 : -1.0;
-      device.position = {2e-3 * std::sin(9.0 * time), side * (0.0185 - 1e-3 * std::sin(20.0 * time)), 1e-3 * std::sin(5.0 * time)};
-      device.orientation = about(Vector3d::UnitY(), 0.5 * std::sin(7.0 * time));
-    }
-    if (i == 0) grasp.place({}, devices);
-    const Vector3d before = grasp.body().velocity;
-    const std::size_t unsolved = grasp.unsolved();
-    grasp.step(devices, 1e-3);
-    if (grasp.unsolved() != unsolved) continue;
-    const Vector3d force = body.mass * body.gravity - grasp.force_on_user(0) - grasp.force_on_user(1);
-    EXPECT_LE((body.mass * (grasp.body().velocity - before) - 1e-3 * force).norm(), 1e-3 * 1e-7);
-    for (std::size_t finger : {0U, 1U}) slips += grasp.finger(finger).output().state == ContactState::slip;
-  }
-  EXPECT_GT(slips, 100);
-  EXPECT_LE(grasp.unsolved(), 5U);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "tests/godobject/scene/metamorphic/random_scene.hpp"
 
 #include "godobject/body/grasp.hpp"
+#include "limitcurve/patch/patch.hpp"
 #include "tests/fuzz/step_check.hpp"
 #include "tests/repetitions.hpp"
 
@@ -38,6 +39,8 @@ SoftFinger any_finger(const Choice& choice, Random& random) {
   with.damping *= stiffer * random.logarithmic(0.01, 10.0);
   with.twist_stiffness = with.stiffness * random.logarithmic(1e-7, 1e-3);
   with.twist_damping = with.damping * random.logarithmic(1e-7, 1e-3);
+  // Four times as rough along x as across.
+  if (random.bits() % 8 == 0 && !with.mu_r) return {Patch::rectangle(0.01, 0.01).orthotropic(1.0, 0.25), with};
   const std::array laws{hertz(), uniform(), flat_punch()};
   return {make_finger_curve(choice.curve.kind, laws[random.bits() % 3], 1e-8), with, choice.curve.projection};
 }
