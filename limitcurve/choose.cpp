@@ -27,7 +27,7 @@ Candidate sufficient_table(const Law& law, const ExactCurve& exact, double toler
   const double needed = 0.9 * tolerance / ((1.0 + 1.0 / m0) * std::max(1.0, m0));
   const double bound = std::clamp(needed, Table::finest_tolerance, Table::coarsest_tolerance);
   const double cost = shipped_costs::of("table").wrench;
-  // A sharply peaked pressure: its moment is less than any table's error. Do not look for the finest that is possible.
+  // A sharply peaked pressure: its moment is less than any table's error. Do not try.
   if (needed < 1e-2 * Table::finest_tolerance) {
     return {"table", bound, std::numeric_limits<double>::infinity(), cost, false, "would need a tolerance of " + format_number(needed)};
   }

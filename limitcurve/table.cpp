@@ -83,23 +83,18 @@ table::Source with_profile(table::Source source, const PressureLaw& law) {
   return source;
 }
 
-/// The result of `attempt(tolerance)`. If it returns nothing, throws an error with the finest power of ten that is `possible`.
-template <class Real, class Attempt, class Possible>
-BasicTable<Real> built(const std::string& name, double tolerance, const Attempt& attempt, const Possible& possible) {
+/// The result of `attempt()`; if it returns nothing, throws an error. A search for what is possible may take longer than all its attempts.
+template <class Real, class Attempt>
+BasicTable<Real> built(const std::string& name, double tolerance, const Attempt& attempt) {
   using Result = BasicTable<Real>;
   if (!(tolerance >= Result::finest_tolerance && tolerance <= Result::coarsest_tolerance)) {
     throw out_of_range("tolerance", tolerance, "1",
                        format_number(Result::finest_tolerance) + " <= tolerance <= " + format_number(Result::coarsest_tolerance));
   }
-  if (auto table = attempt(tolerance)) return std::move(*table);
-  const std::string failed = "table of " + name + ": a tolerance of " + format_number(tolerance) + " is not possible in " +
-                             std::to_string(Result::max_bytes / 1024) + " KiB, or is finer than the curve's own error; ";
-  std::vector<double> coarser;
-  for (int decade = 14; decade > 0; --decade) coarser.push_back(1 / std::pow(10.0, decade));
-  std::erase_if(coarser, [&](double t) { return t <= tolerance; });
-  const auto finest = std::partition_point(coarser.begin(), coarser.end(), [&](double t) { return !possible(t); });
-  throw std::runtime_error(failed +
-                           (finest == coarser.end() ? "no power of ten was found that is" : format_number(*finest) + " is possible"));
+  if (auto table = attempt()) return std::move(*table);
+  throw std::runtime_error("table of " + name + ": a tolerance of " + format_number(tolerance) + " is not possible in " +
+                           std::to_string(Result::max_bytes / 1024) +
+                           " KiB, or is finer than the curve's own error; expected a coarser one");
 }
 
 }  // namespace
@@ -120,34 +115,22 @@ class Attempts {
 
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
-  [[nodiscard]] std::optional<BasicTable<Real>> table(double tolerance) {
-    if (auto built = in_double(tolerance)) return built;
-    begun_ = begins(fine_, tolerance);
-    return begun_ ? table::build<Real>(fine_, tolerance, preferred_bytes_) : std::nullopt;
-  }
-
-  /// Whether there is a table, after one has failed. If that did not begin, neither do finer ones; where the coarser ones begin is found without
-  /// building them. In double, for a refusal should not take long.
-  [[nodiscard]] bool possible(double tolerance) const { return begun_ ? in_double(tolerance).has_value() : begins(quick_, tolerance); }
-
- private:
-  [[nodiscard]] std::optional<BasicTable<Real>> in_double(double tolerance) const {
+  [[nodiscard]] std::optional<BasicTable<Real>> table(double tolerance) const {
     // Down to this tolerance the error of `forces` is small enough.
     constexpr double quick_tolerance = 1e-12;
-    const bool suffices = tolerance >= quick_tolerance && known_error_ <= std::max(quick_error, 0.01 * tolerance) * scale_;
-    return suffices ? table::build<Real>(quick_, tolerance, preferred_bytes_) : std::nullopt;
-  }
-  [[nodiscard]] bool begins(const table::Source& source, double tolerance) const {
-    return tolerance * scale_ > known_error_ && table::begins<Real>(source, tolerance);
+    if (tolerance >= quick_tolerance && known_error_ <= std::max(quick_error, 0.01 * tolerance) * scale_) {
+      if (auto built = table::build<Real>(quick_, tolerance, preferred_bytes_)) return built;
+    }
+    return tolerance * scale_ > known_error_ ? table::build<Real>(fine_, tolerance, preferred_bytes_) : std::nullopt;
   }
 
+ private:
   std::size_t preferred_bytes_;
   std::string name_;
   table::Source quick_;
   table::Source fine_;
   double scale_;
   double known_error_;
-  bool begun_ = true;
 };
 
 }  // namespace table
@@ -155,15 +138,13 @@ class Attempts {
 template <class Real>
 BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance, TableOptions options) {
   checked(law);
-  table::Attempts<Real> attempts(law, std::move(options));
-  return built<Real>(
-      attempts.name(), tolerance, [&](double wanted) { return attempts.table(wanted); },
-      [&](double wanted) { return attempts.possible(wanted); });
+  const table::Attempts<Real> attempts(law, std::move(options));
+  return built<Real>(attempts.name(), tolerance, [&] { return attempts.table(tolerance); });
 }
 
 Table table::finest(const Law& law, double tolerance) {
   checked(law);
-  table::Attempts<double> attempts(law, {});
+  const table::Attempts<double> attempts(law, {});
   for (double wanted = tolerance; wanted < Table::coarsest_tolerance; wanted *= 10.0) {
     if (auto table = attempts.table(wanted)) return std::move(*table);
   }
@@ -188,8 +169,7 @@ BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(Sli
                                return {x, wrench.force, wrench.moment, error};
                              },
                              {}};
-  const auto attempt = [&](double wanted) { return table::build<Real>(source, wanted, options.preferred_bytes); };
-  return built<Real>(options.name, tolerance, attempt, [&](double wanted) { return attempt(wanted).has_value(); });
+  return built<Real>(options.name, tolerance, [&] { return table::build<Real>(source, tolerance, options.preferred_bytes); });
 }
 
 int TableCells::degree() const noexcept {

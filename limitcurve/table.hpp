@@ -73,8 +73,7 @@ class BasicTable {
 
   /// Builds the table of `law`: |error| ≤ tolerance·max(1, m₀) in f and in m at every twist. Takes milliseconds for a closed form, up to
   /// seconds by quadrature. Throws std::invalid_argument for a law that `checked` rejects or a tolerance out of range, and
-  /// std::runtime_error if the tolerance needs more than max_bytes or is finer than the law's own error; the message names the law and a
-  /// power of ten that is possible.
+  /// std::runtime_error, which names the law, if the tolerance needs more than max_bytes or is finer than the law's own error.
   static BasicTable build(const Law& law, double tolerance = default_tolerance, TableOptions options = {});
 
   /// Builds the table of any smooth curve, such as an ellipse or your own, whose `wrench(SlipTwist)` is accurate to 1e-15. Boxes and

@@ -32,14 +32,6 @@ class Builder {
   /// Builds both sides, with several cells in a bucket or without; false if that is not possible.
   bool lay(bool splits_buckets) { return (splits_buckets ? lay_in_cells() : lay_in_buckets()) == Outcome::done; }
 
-  /// Whether both sides have their first cells, the narrowest where a pressure is concentrated at the centre.
-  bool begins() {
-    most_cells_ = 4;
-    splits_buckets_ = true;
-    edges_ = buckets_.edges();
-    return lay_side(false) == Outcome::done && lay_side(true) == Outcome::done;
-  }
-
   /// Makes both sides meet at the rim, where D = f + m; false if a side would not stay convex.
   bool join_at_rim() {
     const Extended at_rim = sides_[0].back().leading_at_end() + sides_[1].back().leading_at_end();
@@ -140,7 +132,7 @@ class Builder {
     double left = 0.0;
     double guess = splits_buckets_ ? std::ldexp(1.0, -octaves_to_end(outside, false)) : 0.25;
     double last_width = guess;
-    while (left < 1.0 && side.size() < most_cells_) {
+    while (left < 1.0) {
       std::optional<Piece> next = widest(outside, left, guess, start);
       if (!next && splits_buckets_) next = narrower(outside, left, guess, start);
       if (!next) {
@@ -241,7 +233,6 @@ class Builder {
   double target_;
   int degree_;
   std::size_t most_bytes_;
-  std::size_t most_cells_ = std::numeric_limits<std::size_t>::max();  ///< of a side
   Buckets buckets_;
   bool splits_buckets_ = false;
   std::vector<double> edges_;
@@ -364,15 +355,7 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance, st
   return std::nullopt;
 }
 
-template <class Real>
-bool begins(const Source& source, double tolerance) {
-  const double target = Errors<Real>(source, tolerance).target;
-  return target > 0.0 && Builder<Real>(source, target, TablePieces<Real>::most_degree, BasicTable<Real>::max_bytes).begins();
-}
-
 template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);
 template std::optional<BasicTable<float>> build(const Source&, double, std::size_t);
-template bool begins<double>(const Source&, double);
-template bool begins<float>(const Source&, double);
 
 }  // namespace limitcurve::table

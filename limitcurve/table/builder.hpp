@@ -46,10 +46,6 @@ template <class Real>
 /// The table of a law at a tolerance; if there is none, at 10, 100, … times that. Each is tried once. Throws like Table::build.
 [[nodiscard]] Table finest(const Law& law, double tolerance);
 
-/// Whether such a table can begin at x = 0 on both sides: a first cell may have to be narrower than any can be.
-template <class Real>
-[[nodiscard]] bool begins(const Source& source, double tolerance);
-
 extern template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);
 extern template std::optional<BasicTable<float>> build(const Source&, double, std::size_t);
 

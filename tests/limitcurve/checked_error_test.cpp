@@ -133,7 +133,7 @@ void expect_checked(double finest) {
       worst = std::max(worst, error / table.checked_error());
       ++tables;
     } catch (const std::runtime_error&) {
-      // Not possible; the error says so, and what is.
+      // Not possible; the error says so.
     }
   }
   testing::Test::RecordProperty("tables", tables);

@@ -48,7 +48,7 @@ TEST(Choose, NamesWhatItTakes) {
   EXPECT_EQ(chosen(choose(uniform(), 0.07)).model, "table");  // its ellipse has an error of 7.04 %
 }
 
-// It took 75 000, each 0.15 ms, and looked for the finest table of a law whose moment is below any table's error: 45 s.
+// It took 75 000, each 0.15 ms, and built tables of a law whose moment is below any table's error: 45 s.
 TEST(Choose, EvaluatesAPeakedLawAFewThousandTimes) {
   const auto law = std::make_shared<CountedLaw>(xydas_kao(0.01));
   const auto candidates = choose(Law(law), 0.01);
