@@ -49,6 +49,18 @@ TEST(PatchPoints, ASinglePointHasForceAndNoMoment) {
   EXPECT_EQ(patch.evaluate({0, 0, 1}).power, 0.0);
 }
 
+// Goyal, Ruina, Papadopoulos, Wear 143:307, 1991: of two equal points ("dumbbell") the section of
+// the limit surface along their line is an ellipse, the one across it a diamond.
+TEST(PatchPoints, ADumbbellHasAnEllipseAndADiamond) {
+  const Patch dumbbell = Patch::points(std::vector<PatchLoad>{{-1.0, 0.0, 1.0}, {1.0, 0.0, 1.0}});
+  for (const double slide : {0.3, 1.0, 4.0}) {
+    const PatchWrench along = dumbbell.wrench({slide, 0.0, 1.0});
+    EXPECT_NEAR(std::hypot(along.fx, along.moment), 1.0, 1e-15);
+    const PatchWrench across = dumbbell.wrench({0.0, slide + 0.1, 1.0});
+    EXPECT_NEAR(std::fabs(across.fy) + std::fabs(across.moment), 1.0, 1e-15);
+  }
+}
+
 TEST(PatchPoints, TwoHoldWhatEachBearsOfIt) {
   // Along y each bears its part of force and moment; along x the two may share as they like. The least load by bisection of one unknown.
   std::mt19937 bits(11);
