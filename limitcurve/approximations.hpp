@@ -9,15 +9,15 @@
 #include <limits>
 #include <span>
 
-/// What others use in place of the limit curve: ellipse, box and diamond, and a Padé model. Their errors: `validate.hpp`.
+/// What others use instead of the limit curve: ellipse, box, diamond and a Padé model. `curve_error` (validate.hpp) measures their errors.
 namespace limitcurve {
 
 /// Throws std::invalid_argument, with the name and value, unless both intercepts of a limit curve [unit wrenches] are within 1e-100 …
 /// 1e100.
 void check_intercepts(double force_max, double moment_max);
 
-/// The ellipse (f/A)² + (m/B)² = 1 (paper, eq. 19): the usual approximation of the limit curve. Through the intercepts (A = 1, B = m₀) it
-/// is too strong by 4 to 8 % for the laws of law_examples(). Models LimitCurve; one square root a call, no trigonometry.
+/// The usual approximation of the limit curve (paper, eq. 19): the ellipse (f/A)² + (m/B)² = 1. Models LimitCurve. Through the intercepts
+/// (A = 1, B = m₀) it is 3 to 8 % too strong for the laws of law_examples(). A call costs one square root, no trigonometry.
 class Ellipse {
  public:
   /// Semi-axes in unit wrenches, 1e-100 … 1e100; throws std::invalid_argument otherwise.
@@ -142,22 +142,20 @@ class Polygon {
 using Box = Polygon<3>;
 using Diamond = Polygon<2>;
 
-/// Uncoupled limits f ≤ A, m ≤ B. In the corner they are 1.4 to 1.5 times too strong. A, B within 1e-100 … 1e100, else
-/// std::invalid_argument.
+/// Uncoupled limits f ≤ A, m ≤ B: about 50 % too strong in the corner. Throws std::invalid_argument unless A, B are in 1e-100 … 1e100.
 inline Box box(double force_max, double moment_max) {
   return Box({UnitWrench{force_max, 0.0}, UnitWrench{force_max, moment_max}, UnitWrench{0.0, moment_max}});
 }
 
-/// The friction pyramid f/A + m/B ≤ 1. It is too weak everywhere except at its ends. A, B within 1e-100 … 1e100, else
-/// std::invalid_argument.
+/// The friction pyramid f/A + m/B ≤ 1: too weak everywhere except at its ends. Throws like `box`.
 inline Diamond diamond(double force_max, double moment_max) {
   return Diamond({UnitWrench{force_max, 0.0}, UnitWrench{0.0, moment_max}});
 }
 
-/// The first-order Padé model of multibody mechanics (Zhuravlev, J. Appl. Math. Mech. 62:705, 1998): a law of the slip twist,
-/// f = s/(s + σ_f) and m = m₀σ_m/(s + σ_m), exact in value at both ends, in the force's slope at a pure spin and in the moment's at a pure
-/// slide. In between it is up to 42 % too weak for Hertz (34 % of μP in f, 39 % of m₀ in m). Not a LimitCurve: its twist is not the normal,
-/// so that it does not obey maximum dissipation. `pade_model` in validate.hpp makes that of a curve.
+/// The first-order Padé model of multibody mechanics (Zhuravlev, J. Appl. Math. Mech. 62:705, 1998) gives the wrench of a slip twist:
+/// f = s/(s + σ_f), m = m₀σ_m/(s + σ_m). `pade_model` (validate.hpp) makes it from a curve: exact at both ends, and in the slope of
+/// the force at a pure spin and of the moment at a pure slide. In between it is up to 42 % too weak for Hertz (34 % of μP in f, 39 % of m₀
+/// in m). Not a LimitCurve: its twist is not the normal, so it does not obey maximum dissipation.
 class PadeModel {
  public:
   /// σ_f, σ_m: the COR distances c/a at which force and moment are half their largest. Positive; not checked.
@@ -174,7 +172,7 @@ class PadeModel {
             moment_ratio_ * moment_cor_ * twist.spin / (twist.slide + moment_cor_ * twist.spin)};
   }
 
-  /// The model's wrench on the ray through `direction` ≥ 0, and, in place of a normal, the slip twist that it is the wrench of.
+  /// The model's wrench on the ray through `direction` ≥ 0, and, instead of a normal, the slip twist that causes it.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
     // m s² + σ_m(m − m₀f) s − m₀σ_mσ_f f = 0, without cancellation.
     const double half = 0.5 * moment_cor_ * (direction.moment - moment_ratio_ * direction.force);

@@ -22,12 +22,13 @@ struct Candidate {
 /// Costs that differ by less than this fraction are a tie: a measurement scatters as much.
 inline constexpr double cost_tie = 0.05;
 
-/// All candidates for `law`, sorted by cost. `chosen` marks the cheapest one whose error is at most `tolerance`, of a tie the one with the
-/// smallest error; there always is one, because the exact curve has error 0. A measured pressure adds its profile_error().
+/// All candidates for `law`, sorted by cost. `chosen` marks the cheapest one whose error is at most `tolerance`; of a tie, the one with
+/// the smallest error. One is always chosen, because the exact curve has error 0. Errors leave out the profile_error() of a measured
+/// pressure. godobject/scene/choose_step.hpp chooses for a whole scene, projection included.
 ///
-/// Costs are constants (internal/shipped_costs.hpp), measured on one machine: compare them, do not rely on them. So the same input gives
-/// the same choice on every machine. Throws std::invalid_argument for a tolerance outside [1e-10, 1]. Cost: a millisecond for a closed
-/// form, a second by quadrature. godobject/scene/choose_step.hpp chooses for a whole scene, projection included.
+/// Costs are constants (internal/shipped_costs.hpp), measured on one machine, so the choice is the same on every machine: compare them, do
+/// not rely on them. Takes a millisecond for a closed form, a second by quadrature. Throws std::invalid_argument for a tolerance outside
+/// [1e-10, 1] or a law that `checked` rejects.
 std::vector<Candidate> choose(const Law& law, double tolerance);
 
 /// Sorts candidates by cost, marks the cheapest whose error is at most `tolerance`, if there is one (of a tie, the one with the smallest

@@ -11,13 +11,12 @@
 
 namespace limitcurve {
 
-/// The exact unit limit curve of a pressure law (eq. 17); models LimitCurve. Relative error of the wrench: that of the law's `forces`, ≤
-/// 1e-14 to 1e-13. Wrenches are scaled by 1 − 9e-16, so that rounding seldom puts a wrench of the curve outside the curve; not
-/// at both ends, which are exact.
-/// Cost: that of `forces`, nanoseconds for a closed form, microseconds by quadrature. In a control loop use a table.
+/// The exact unit limit curve of a pressure law (eq. 17), against which models are judged; in a control loop use a Table. Models
+/// LimitCurve. Error and cost of `wrench` are those of the law's `forces`. Both ends are exact; other wrenches are scaled by 1 − 9e-16, so
+/// that rounding seldom puts them outside the curve.
 class ExactCurve {
  public:
-  /// Throws std::invalid_argument for a law that `checked` refuses.
+  /// Throws std::invalid_argument for a law that `checked` rejects.
   explicit ExactCurve(Law law) : law_(checked(std::move(law))), moment_ratio_(law_->moment_ratio()) {}
 
   [[nodiscard]] const PressureLaw& law() const noexcept { return *law_; }
@@ -41,9 +40,9 @@ class ExactCurve {
     return {twist.spin > 0.0 ? inwards(forces) : UnitWrench{1.0, 0.0}, {-slope, s * slope}};
   }
 
-  /// Newton's method for ln(f M/(m F)) in ln s inside a bracket: towards both ends ln f and ln m are straight lines in it, and however near a
-  /// slip is to an end, s keeps its digits. The tangent at the last point meets the ray at the curve but for the square of what is missing.
-  /// Cost: usually 3 to 5 calls of `forces`, at most 64.
+  /// Newton's method for ln(f M/(m F)) in ln s inside a bracket: towards both ends ln f and ln m are straight lines in it, and however
+  /// near a slip is to an end, s keeps its digits. The wrench is where the ray meets the tangent at the last point: its error is the
+  /// square of the search's. Cost: usually 3 to 5 calls of `forces`, at most 64.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
     constexpr int search_limit = 64;
     constexpr double enough = 1e-10;

@@ -11,7 +11,7 @@
 
 /// The pressure laws. Each factory checks its parameters and throws `std::invalid_argument`, which names the parameter, its value and its
 /// range. The formula of each law is its pressure p(ρ)·πa²/P on 0 ≤ ρ = r/a ≤ 1; the pressure is zero outside. "Closed" and "ring" name the
-/// evaluator (README, "Evaluators").
+/// evaluator (limitcurve/README.md).
 namespace limitcurve {
 
 /// (3/2)(1−ρ²)^½: elastic sphere (Hertz 1882). Closed.
@@ -26,7 +26,7 @@ Law flat_punch();
 Law cone();
 /// 1/(2ρ): a clutch, brake or pad worn in by rotation, so that pressure times speed is the same everywhere. Ring. The pressure is infinite
 /// at the centre: as s → 0, f → (s/2)(ln(4/s) + ½), whose slope grows without bound (at 0 it is that of the smallest s). The methods ring,
-/// direct and boost, asked for by name, leave out the load within 1e-80 of the centre, which changes f below s = 1e-30.
+/// direct and boost, if asked for by name, leave out the load within 1e-80 of the centre, which changes f below s = 1e-30.
 Law uniform_wear();
 /// (n+1)(1−ρ²)ⁿ, n ∈ (−1, 1000]. Closed: ₂F₁ by its Euler integral, whose integrand is positive for all n. n → −1: all pressure on the rim.
 Law power(double n);
@@ -48,19 +48,19 @@ struct PressureSample {
 ///  - Between samples: a monotone cubic, which does not overshoot (Fritsch and Carlson 1980; slopes by Fritsch and Butland 1984).
 ///  - From the centre to the first radius: the pressure of the first sample.
 ///  - Two samples at the same radius: a jump. A repeated sample is ignored.
-///  - `rim`: the radius, in the unit of the samples, that the contact radius a stands for. 0: the last radius with pressure. That is wrong
-///    if noise or an offset of the sensor goes on beyond the contact; no rule finds the true one, and `remarks` warns. If `rim` is
-///    named, a sample beyond one without pressure that bears the fraction ε of the load changes a force by at most ε μP and a moment by
-///    at most ε μP max(r, mean radius of the load), r being where its pressure ends.
-///  - Negative pressures are noise, which tells its own size: pressures up to 1.5 times the most negative count as 0. `remarks` counts
-///    them. Refused if that takes more than 2 % of the load, or if the most negative is above 10 % of the largest pressure.
+///  - `rim`: the radius, in the unit of the samples, that the contact radius a stands for; 0 for the last radius with pressure. That is
+///    wrong if noise or an offset of the sensor goes on beyond the contact: no rule finds the true rim, and `remarks` warns. If you name
+///    the rim, pressure beyond a sample without pressure that carries the fraction ε of the load changes a force by at most ε μP and a
+///    moment by at most ε μP max(r, mean radius of the load), r being where it ends.
+///  - Negative pressures are noise: pressures up to 1.5 times the most negative count as 0, and `remarks` counts them. Rejected if they
+///    carry more than 2 % of the load, or if the most negative is above 10 % of the largest pressure.
 ///
-/// The error that `evaluate` returns includes the interpolation error. It is estimated by leaving out samples, of even radii every other
-/// one, so that all gaps double: the change of the wrench, bounded from above. It exceeds the true error wherever the samples resolve the
-/// profile.
+/// The error that `evaluate` returns includes the interpolation error. It is estimated by a bound on the change of the wrench if samples
+/// are left out (every other one of even radii), and exceeds the true error wherever the samples resolve the profile. `source` names the
+/// data in `name()`.
 /// Throws std::invalid_argument for fewer than 4 samples, a number that is not finite, a radius that is negative, smaller than the one
-/// before or nearer to it than 1e-9 of the last radius (equal is allowed), a rim beyond 1e-3 to 1e3 times the last radius, and a profile
-/// without pressure. `source` names the data in `name()`.
+/// before or nearer to it than 1e-9 of the last radius (two may be equal, but not the last two), a rim beyond 1e-3 to 1e3 times the last
+/// radius, and a profile without pressure.
 Law samples(std::span<const PressureSample> rows, std::string_view source, double rim = 0.0);
 
 /// The law with the name `text`: `hertz uniform parabolic flat-punch cone uniform-wear power:n=2.3 xydas-kao:k=3

@@ -20,7 +20,7 @@ namespace limitcurve {
 ///                 infinite w;
 ///  - `moment_ratio()`: moment intercept divided by force intercept, m₀ = μ_r/(μ a).
 /// Signs of t and w are ignored; results are ≥ 0 (slopes as in SlopedPoint). They do not throw, allocate or lock; every loop is bounded.
-/// NaN gives NaN. Results stay right for twists and wrenches times 1e-120 … 1e120.
+/// NaN gives NaN. Results stay accurate for twists and wrenches times 1e-120 … 1e120.
 // clang-format off
 template <class Curve>
 concept LimitCurve = requires(const Curve& curve, SlipTwist twist, UnitWrench wrench) {
@@ -38,7 +38,7 @@ constexpr double gauge_from(UnitWrench wrench, UnitWrench on_curve) noexcept {
   return (wrench.force + wrench.moment) / (on_curve.force + on_curve.moment);
 }
 
-/// The gauge by a curve's `along`: of any wrench, as LimitCurve::gauge promises.
+/// The gauge of any wrench by a curve's `along`, as LimitCurve requires.
 template <class Curve>
 [[nodiscard]] double gauge_along(const Curve& curve, UnitWrench wrench) noexcept {
   wrench = wrench.magnitudes();

@@ -12,7 +12,7 @@
 
 namespace limitcurve {
 
-/// The method that evaluates eq. (17). README, "Evaluators", has the domain, error and cost of each.
+/// The method that evaluates eq. (17). limitcurve/README.md lists the laws that each is for.
 enum class Method {
   automatic,  ///< closed if the law has a closed form, else ring
   closed,     ///< the law's closed form
@@ -106,8 +106,8 @@ class PressureLaw {
   [[nodiscard]] double moment_ratio() const noexcept { return evaluate(0.0).wrench.moment; }
 };
 
-/// The law; throws std::invalid_argument if the pointer is null, the breaks do not increase from
-/// 0, or the quadrature misses 1e-3 of the force or of the moment.
+/// Returns the law. Throws std::invalid_argument if the pointer is null, the breaks do not
+/// increase from 0, or the quadrature at s = 1 misses 1e-3 of the force or of the moment.
 Law checked(Law law);
 
 /// The method of that name; throws std::invalid_argument, which lists those that the law has, for any other.
@@ -120,8 +120,8 @@ Method method_of(const PressureLaw& law, std::string_view name);
 ///    its derivatives jumps;
 ///  - the pressure grows towards the rim at most like rim^(−½), computed from `rim`, or has a
 ///    `rim_exponent`. A ring of infinite pressure within the rim costs digits: about 1e-9.
-/// What a law does not keep of this `evaluate` adds to its error, and a table to its own: what the
-/// load lacks in the points of the quadrature. Never NaN; more than 1e-3 is refused (`checked`).
+/// If a law breaks one of these rules, its quadrature misses a part of the load: `evaluate` and
+/// tables add this part to their error, and `checked` rejects more than 1e-3. Never NaN.
 /// Method::boost, the independent reference, does not look for it.
 template <class Derived>
 class PressureLawOf : public PressureLaw {

@@ -32,8 +32,8 @@ std::string to_json(const Table& table);
 /// internal linkage. The cell is found by bisection. NAME is `name`; if that is empty, `limitcurve_table_<law>_<first 8 digits of the
 /// checksum>`, which no other table has.
 /// Throws std::invalid_argument, with the name, unless it is a C identifier that begins with a letter and has no double underscore.
-/// With `is_single` all is in float: literals, tolerances, and checked_error, which is `single_precision_error`; at the ratio of speeds as
-/// a float, and closest_point within 5e-6.
+/// With `is_single` everything is in float. Then checked_error is `single_precision_error`, for a ratio of speeds that is a float, and
+/// closest_point is within 5e-6.
 std::string to_header(const Table& table, std::string_view name = {}, bool is_single = false);
 
 /// Bound on the error in force and moment by a header in single precision: the table's own and roundings, about 4e-7·max(1, m₀).

@@ -18,7 +18,7 @@ namespace limitcurve {
 /// of the exact radius on the same ray, ≥ 0. 1025 rays are compared. Largest and smallest values are refined between rays, to 1e-9; the
 /// mean is accurate to 1e-6.
 struct CurveError {
-  double max_error = 0.0;           ///< the larger of the two below
+  double max_error = 0.0;           ///< the larger of max_over_estimate and max_under_estimate
   double rms_error = 0.0;           ///< root of the mean square over the rays' angle
   double max_over_estimate = 0.0;   ///< largest model radius/exact radius − 1: the model holds, but the finger slips
   double max_under_estimate = 0.0;  ///< largest 1 − model radius/exact radius: the model slips, but the finger holds
@@ -87,8 +87,8 @@ Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 
 }  // namespace detail
 
-/// Zhuravlev's model with the ends of `exact`, whose force_max is 1; its force_cor is 0, and the model of no use, if the force of `exact` rises
-/// infinitely steeply from a pure spin (uniform-wear).
+/// The Padé model of `exact`, whose force_max is 1. Useless, with force_cor 0, if the force of `exact` rises infinitely steeply from a
+/// pure spin (uniform-wear).
 template <LimitCurve Exact>
 PadeModel pade_model(const Exact& exact) {
   const double m0 = exact.moment_ratio();
@@ -113,9 +113,9 @@ CurveError curve_error(const Model& model, const Exact& exact) {
   return detail::curve_error(compare, intercepts, near_spin, model_slide / exact_slide);
 }
 
-/// The ellipse inside the exact curve whose largest error is least; both semi-axes are free. It
-/// holds only where the exact curve holds. For common laws it is the ellipse through the
-/// intercepts, shrunk (Hertz: to 0.940 of both). Semi-axes accurate to 1e-7; it is inside to 1e-12.
+/// The minimax ellipse inside the exact curve; both semi-axes are free. It holds only where the
+/// exact curve holds. For common laws it is the ellipse through the intercepts, shrunk (Hertz: to
+/// 0.940 of both). Semi-axes accurate to 1e-7; it is inside to 1e-12.
 template <LimitCurve Exact>
 Ellipse inner_ellipse(const Exact& exact) {
   return detail::inner_ellipse(detail::wrench_of(exact), detail::intercepts_of(exact));

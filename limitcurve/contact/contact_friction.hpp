@@ -8,7 +8,7 @@
 
 namespace limitcurve {
 
-/// The friction of a round contact, as it is known: its coefficient, and its contact radius or its moment coefficient.
+/// The friction of a round contact: its coefficient of friction, and either its contact radius or its moment coefficient.
 struct ContactFriction {
   double mu = 0.0;                           ///< coefficient of friction μ ≥ 0
   std::optional<RadiusLaw> radius_law = {};  ///< contact radius a(P); or
@@ -16,7 +16,7 @@ struct ContactFriction {
   double gamma = 0.0;               ///< γ ∈ [−0.5, 1] of μ_r
 
   /// a(P): `radius_law`, or `RadiusLaw::of_mu_r` for a curve with the unit moment `moment_ratio` of a pure twist. Throws
-  /// std::invalid_argument, with the name, for a number out of range, and unless one of `radius_law` and `mu_r` is given.
+  /// std::invalid_argument, with the name, for a number out of range, and unless exactly one of `radius_law` and `mu_r` is given.
   [[nodiscard]] RadiusLaw radius(double moment_ratio) const;
 };
 

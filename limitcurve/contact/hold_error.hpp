@@ -8,10 +8,10 @@
 
 namespace limitcurve {
 
-/// How far `load_to_hold` may be off [N] because the pressure of `law` is known only at samples: an estimate, like the law's stated error; 0
-/// for a law given by a formula. `load` is the load that holds `force` [N] and `moment` [N·m] on `curve`, a curve of the law; of an ellipse
-/// or a box with the law's intercepts set `intercepts_only`. First order in the error. Does not throw for arguments that `load_to_hold`
-/// accepted. Cost: one call of `along` and one or two of `evaluate`.
+/// How far `load_to_hold` may be off [N] because the pressure of `law` is known only at samples: an estimate, of first order in the law's
+/// stated error; 0 for a law given by a formula. `load` is the result of `load_to_hold` for `force` [N] and `moment` [N·m] on `curve`, a
+/// curve of the law; if that is an ellipse or a box with the law's intercepts, set `intercepts_only`. Does not throw for arguments that
+/// `load_to_hold` accepted. Cost: one call of `along` and one or two of `evaluate`.
 ///
 /// The load is the largest of (F v/μ + M w/(μ a))/H(v, w) over the slips: at the slip where it touches, a change of the curve enters by
 /// δH = v δf + w δm alone (envelope theorem), and by 1/(1 + γω) if the radius grows with the load.

@@ -68,10 +68,10 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
 inline namespace LIMITCURVE_COPIES {
 #endif
 
-/// The smallest load [N] under which the contact bears a force [N] and a moment [N·m] without slip; their signs are ignored. 0 for neither
-/// both; ∞ without friction, for a moment without moment coefficient, and where no finite load holds; NaN for NaN. Relative error ≤ 1e-12
-/// plus the curve's, of a measured pressure `hold_error`. Throws like `ContactFriction::radius`. Cost: one call of `gauge` for a constant
-/// radius, else 3 to 6 calls of `along`, at most 60.
+/// How hard to grip: the smallest load [N] under which the contact carries a force [N] and a moment [N·m] without slip. Signs are ignored.
+/// 0 if both are zero; ∞ without friction, for a moment if μ_r is 0, and if no finite load holds; NaN for NaN. Relative error ≤ 1e-12 plus
+/// the curve's; for a measured pressure add `hold_error`. Cost: one call of `gauge` for a constant radius, else 3 to 6 calls of `along`,
+/// at most 60. Throws like `ContactFriction::radius`.
 template <class Curve>
 double load_to_hold(const Curve& curve, const ContactFriction& contact, double force, double moment) {
   const RadiusLaw radius_law = detail::radius_law_of(curve, contact);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-/// SI units. Functions that make radius laws throw std::invalid_argument for bad input; call them offline.
+/// SI units. Functions that make radius laws throw std::invalid_argument with the parameter, its value, unit and range; call them offline.
 namespace limitcurve {
 
 /// A measured contact radius, or a measured limit of the friction moment, at a load.
@@ -39,7 +39,6 @@ class RadiusLaw {
   /// 0; for μ_r = 0 the radius is so small that the moment is negligible: limits are continuous in the parameters.
   static RadiusLaw of_mu_r(double mu_r, double gamma, double mu, double moment_ratio);
   /// `constant:a=0.005`, `hertz:R=0.008,E=2e5`, `power:c=0.00207,gamma=0.259`.
-  /// Like all factories here it throws `std::invalid_argument`, with the parameter, its value, unit and range.
   static RadiusLaw parse(std::string_view text);
 
   // Moves are cheap copies; a moved-from law stays valid.

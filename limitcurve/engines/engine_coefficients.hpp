@@ -14,7 +14,7 @@ namespace limitcurve {
 class Patch;
 }
 
-/// The facts about engines stand in data/engines/engines.csv and coefficients.csv; the library has these files inside.
+/// The facts about engines are in data/engines/engines.csv and coefficients.csv, which the library contains.
 namespace limitcurve::engines {
 
 /// A coefficient for a physics engine.
@@ -30,7 +30,7 @@ struct EngineCoefficient {
 };
 
 /// A soft finger in a physics engine with its best coefficients. Errors are fractions of the exact limit curve's radius in the normalised
-/// plane, unless said otherwise. A measured pressure adds its profile_error().
+/// plane, unless said otherwise, and leave out a measured pressure's profile_error().
 struct EngineContact {
   std::string engine;  ///< mujoco, physx, …; `find_engine` knows their other names
   /// Shape of the resulting limit curve: ellipse, diamond (friction pyramid), box (uncoupled) or point (no moment).
@@ -52,7 +52,7 @@ struct LoadRange {
 };
 
 /// The coefficients that give a contact with friction coefficient `mu` > 0 [1] its exact limits μP and Γ = m₀ μ P a(P) at `load` > 0 [N],
-/// for each engine and shape in the order of data/engines/engines.csv; an engine that cannot bear a moment gets its friction. Contacts whose
+/// for each engine and shape in the order of data/engines/engines.csv; an engine that cannot carry a moment gets its friction. Contacts whose
 /// moment no number sets (field: pressure on a mesh) are left out. Throws std::invalid_argument for values out of range.
 std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law, double mu, double load, LoadRange loads);
 /// The same over the loads from a quarter of `load` to four times `load`.
@@ -83,9 +83,9 @@ struct CoefficientMeaning {
   std::string note;        ///< how the engine uses the number, what was assumed; whether that is a fingertip's radius
 };
 
-/// The inverse of `translate`, a row for each number, in their order. Numbers of one engine belong to one contact; a parameter that an
-/// engine has had already begins its next contact. A contact's friction is the one among its numbers, else `mu` > 0. Another number that is
-/// missing is the engine's default, but a switch is on; the note says so. A number that another one switches off has moment 0. Throws
+/// The inverse of `translate`: one row per number, in their order. Numbers of one engine belong to one contact; a parameter that the
+/// engine has already had begins its next contact. The contact's friction is the one among its numbers, else `mu` > 0. A missing number is
+/// the engine's default, but a switch counts as on; the note says so. A number that another one switches off has moment 0. Throws
 /// std::invalid_argument for an unknown name, with the known ones, for values < 0 or not finite, and if a radius needs `mu` and it is NaN.
 std::vector<CoefficientMeaning> read_coefficients(std::span<const EngineNumber> numbers, double mu, const Law& law);
 
