@@ -7,6 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace limitcurve::fit {
 namespace {
@@ -38,6 +43,43 @@ TEST(Coverage, LimitsAndRadiusWithErrorsFoundFromTheScatter) {
 
 TEST(Coverage, PressureLawWithErrorsOfAThirdOfAPercent) {
   expect_honest({ContactModel::Kind::power}, 0.003, true);
+}
+
+/// With the truth at the end of a parameter's range about half of the fits end there. The intervals of the limits hold the truth all the
+/// same, and so does γ's; of the shape nothing is reported.
+void expect_honest_at_the_end(const ContactModel& model, const Law& law, double gamma, const std::string& at_end) {
+  constexpr int seeds = repetitions(100, 50);
+  const synthetic::Truth truth{0.8, 0.005, gamma};
+  const double mu_r = truth.mu * truth.radius * law->moment_ratio();
+  ContactFitOptions options;
+  options.fit_gamma = at_end == "gamma";
+  synthetic::Random loads(5);
+  const std::vector<Sample> exact = synthetic::clean(synthetic::curve_of(law), truth, 100, loads);
+  std::map<std::string, int> held;
+  int ended = 0;
+  for (int seed = 0; seed < seeds; ++seed) {
+    synthetic::Random random(static_cast<std::uint64_t>(1000 + seed));
+    std::vector<Sample> samples = exact;
+    synthetic::disturb(samples, 0.01, truth.mu, mu_r, true, random);
+    const FitReport report = fit_contact(samples, model, options).report;
+    EXPECT_TRUE(report.converged) << report.message;
+    const Estimate& end = report.at(at_end);
+    ended += at_end == "gamma" ? end.value > gamma - 1e-9 : std::isinf(end.std_error);
+    for (const auto& [name, value] : {std::pair{"mu", truth.mu}, {"mu_r", mu_r}, {"gamma", gamma}}) {
+      if (!options.fit_gamma && name == std::string("gamma")) continue;
+      held[name] += std::fabs(report.at(name).value - value) <= 1.959964 * report.at(name).std_error;
+    }
+  }
+  EXPECT_NEAR(ended, 0.5 * seeds, 0.1 * seeds + 1.5 * std::sqrt(seeds));
+  for (const auto& [name, count] : held) EXPECT_GE(count, 0.95 * seeds - 3 * 0.218 * std::sqrt(seeds)) << name;
+}
+
+TEST(Coverage, RadiusLawAtTheEndOfItsRange) {
+  expect_honest_at_the_end(ContactModel::of(hertz()), hertz(), 1.0, "gamma");
+}
+
+TEST(Coverage, ShapeAtTheEndOfItsRange) {
+  expect_honest_at_the_end({ContactModel::Kind::power}, power(6.0), 0.0, "n");
 }
 
 /// What is promised of the study of 1000 seeds, held by a tenth of it to what that tells.
