@@ -15,7 +15,7 @@
  *
  * Ownership. The caller owns the handles that functions create, and frees each once with the function of its kind (NULL is ignored). The
  * library reads the caller's texts and arrays only during the call. Texts that a function returns belong to their handle. A handle stays
- * valid if the handles that it was made from are freed. A library built without NDEBUG refuses freed handles.
+ * valid if the handles that it was made from are freed. A library built without NDEBUG rejects freed handles.
  *
  * Threads. Laws, tables, batches, patches and fits are immutable: any number of threads may share them. Use a finger from one thread at a
  * time; distinct fingers need no lock. Errors are per thread.
@@ -59,9 +59,9 @@ typedef struct limitcurve_law limitcurve_law;
  * limitcurve_law_samples. */
 LIMITCURVE_API limitcurve_status limitcurve_law_parse(const char* text, limitcurve_law** law);
 
-/* A measured profile: pressures (any unit) at `count` >= 4 increasing radii (any unit). `rim` is the radius, in that unit, that the contact
- * radius stands for; 0: the last radius with pressure, which is wrong if noise or an offset of the sensor goes on beyond the contact.
- * Negative pressures are noise: pressures up to 1.5 times the most negative count as 0. `source` is its name. */
+/* A measured profile: pressures (any unit) at `count` >= 4 radii (any unit) that do not decrease. `rim` is the radius, in that unit, that
+ * the contact radius stands for; 0: the last radius with pressure, which is wrong if noise or an offset of the sensor goes on beyond the
+ * contact. Negative pressures are noise: pressures up to 1.5 times the most negative count as 0. `source` is its name. */
 LIMITCURVE_API limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count, const char* source,
                                                         double rim, limitcurve_law** law);
 
@@ -73,7 +73,7 @@ LIMITCURVE_API const char* limitcurve_law_name(const limitcurve_law* law);
 /* m0: the unit moment of a pure twist. */
 LIMITCURVE_API limitcurve_status limitcurve_law_moment_ratio(const limitcurve_law* law, double* moment_ratio);
 
-/* Unit wrenches at `count` COR distances in contact radii, each in [0, inf] (NaN gives NaN): forces and moments, and bounds of their
+/* Unit wrenches at `count` COR distances in contact radii, each in [0, inf] (NaN gives NaN): forces and moments, and bounds on their
  * absolute errors, which may be NULL. Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature (<= 2e-14 where long double is double).
  * The outputs may be `cors` itself. */
 LIMITCURVE_API limitcurve_status limitcurve_law_evaluate(const limitcurve_law* law, const double* cors, size_t count, double* forces,
@@ -128,14 +128,14 @@ enum {
 };
 typedef int limitcurve_projection; /* one of these; an int, so that any other number is an error, not undefined */
 
-/* Friction limits at the present load. */
+/* Friction limits at the current load. */
 typedef struct limitcurve_limits {
-  double force;             /* at rest: mu P [N] >= 0 ... */
-  double radius;            /* ... and a [m] >= 0: the unit curve grows by force, and by force * radius */
-  double sliding_force;     /* while it slips: neither the force ... */
-  double sliding_radius;    /* ... nor force * radius is larger than at rest; the radius may be */
-  double stiffness_ratio;   /* k_l/k_r of the springs [1/m^2] > 0 */
-  double force_stick_fraction;  /* in [0, 1]: a sliding contact comes to rest when its trial is within this fraction of the sliding limit, ... */
+  double force;                 /* at rest: mu P [N] >= 0 ... */
+  double radius;                /* ... and a [m] >= 0: the unit curve grows by force, and by force * radius */
+  double sliding_force;         /* while it slips: neither the force ... */
+  double sliding_radius;        /* ... nor force * radius is larger than at rest; the radius may be */
+  double stiffness_ratio;       /* k_l/k_r of the springs [1/m^2] > 0 */
+  double force_stick_fraction;  /* in [0, 1]: a sliding contact comes to rest if its trial is within this fraction of its limit, ... */
   double moment_stick_fraction; /* ... or this one, if it is smaller; on a box force and moment each have their own. 1: at once */
 } limitcurve_limits;
 
@@ -143,15 +143,15 @@ typedef struct limitcurve_limits {
 typedef struct limitcurve_memory {
   double search_start;
   double search_rate;
-  int force_slides; /* the sliding limit acts; on a box: that of the force */
-  int moment_slides;  /* on a box: that of the moment acts */
+  int force_slides;  /* the sliding limit acts; on a box: that of the force */
+  int moment_slides; /* on a box: that of the moment acts */
 } limitcurve_memory;
 
 typedef struct limitcurve_friction {
   double force_fraction;  /* fraction of the trial's force within the limit, in [0, 1] */
   double moment_fraction; /* likewise */
-  double cor;          /* of the slip [m], inf for pure sliding; NaN if it sticks */
-  int slips;           /* in this step */
+  double cor;             /* of the slip [m], inf for pure sliding; NaN if it sticks */
+  int slips;              /* in this step */
 } limitcurve_friction;
 
 /* For simulators with springs of their own: the fraction of a trial force [N] and moment [N m], both finite, within the friction
@@ -164,33 +164,34 @@ LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_tabl
 
 /* Parameters of a finger. Start from limitcurve_finger_defaults. */
 typedef struct limitcurve_finger_parameters {
-  double mu;                 /* coefficient of static friction >= 0 */
-  double mu_dynamic;         /* while slipping, in [0, mu]; NaN: mu */
-  const char* radius_law;    /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; read by the call only; NULL where mu_r is given */
-  double mu_r; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), instead of the radius law's; NaN: none */
-  double gamma;    /* gamma, in [-0.5, 1] */
-  double mu_r_dynamic; /* while slipping; NaN: mu_r mu_d/mu */
-  double stiffness;                  /* k_l [N/m] > 0, normal and tangential */
-  double twist_stiffness;            /* k_r [N m/rad] > 0 */
-  double damping;                    /* b_l [N s/m] >= 0 */
-  double twist_damping;              /* b_r [N m s/rad] >= 0 */
-  double rest_margin;                /* margin below the sliding limit at which a sliding finger comes to rest, >= 0 */
-  double max_displacement;           /* between two samples [m]; a larger jump is invalid once */
-  double fault_decay;                /* factor of load, force and moment from one invalid sample to the next, in [0, 1] */
+  double mu;              /* coefficient of static friction >= 0 */
+  double mu_dynamic;      /* while slipping, in [0, mu]; NaN: mu */
+  const char* radius_law; /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; may be NULL if mu_r is given */
+  double mu_r;            /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), instead of the radius law's; NaN: none */
+  double gamma;           /* gamma, in [-0.5, 1] */
+  double mu_r_dynamic;    /* while slipping; NaN: mu_r mu_d/mu */
+  double stiffness;       /* k_l [N/m] > 0, normal and tangential */
+  double twist_stiffness; /* k_r [N m/rad] > 0 */
+  double damping;         /* b_l [N s/m] >= 0 */
+  double twist_damping;   /* b_r [N m s/rad] >= 0 */
+  double rest_margin;     /* >= 0: a sliding finger rests within its limit over 1 + rest_margin (mu/mu_dynamic - 1) */
+  double max_displacement; /* between two samples [m]; a larger jump is invalid once */
+  double fault_decay;      /* factor of load, force and moment from one invalid sample to the next, in [0, 1] */
 } limitcurve_finger_parameters;
 
+/* The defaults of the C++ library, NaN for what is absent, and a radius of 5 mm. */
 LIMITCURVE_API limitcurve_finger_parameters limitcurve_finger_defaults(void);
 
-/* The smallest loads [N] under which a contact bears forces [N] and moments [N m], whose signs are ignored; inf where no load holds. Of the
- * finger's parameters mu, radius_law, mu_r and gamma count. Of a measured pressure `limitcurve hold` estimates the error, hold_error. */
+/* The smallest loads [N] under which a contact carries forces [N] and moments [N m], whose signs are ignored; inf where no load holds. Of
+ * the finger's parameters it reads mu, radius_law, mu_r and gamma. `limitcurve hold` estimates the error from a measured pressure. */
 LIMITCURVE_API limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, const limitcurve_finger_parameters* contact,
                                                                const double* forces, const double* moments, size_t count, double* loads);
 
 typedef enum limitcurve_state {
-  LIMITCURVE_FREE = 0,  /* no contact */
-  LIMITCURVE_STICK = 1, /* in contact, the proxy rests */
-  LIMITCURVE_SLIP = 2,  /* in contact, the proxy slid in this step */
-  LIMITCURVE_STATE_INVALID = 3  /* bad input: the last good output is held, and fades */
+  LIMITCURVE_FREE = 0,         /* no contact */
+  LIMITCURVE_STICK = 1,        /* in contact, the proxy rests */
+  LIMITCURVE_SLIP = 2,         /* in contact, the proxy slid in this step */
+  LIMITCURVE_STATE_INVALID = 3 /* bad input: the last good output is held, and fades */
 } limitcurve_state;
 
 /* The reason for LIMITCURVE_STATE_INVALID. */
@@ -228,7 +229,7 @@ typedef struct limitcurve_finger_output {
   double cor;       /* of the slip [m]; NaN unless it slips */
   double slip_work; /* dissipated in this step [J], >= 0 */
   limitcurve_state state;
-  int converged; /* 0: the search for a patch's closest point did not converge */
+  int converged;          /* 0: the search for a patch's closest point did not converge */
   limitcurve_fault fault; /* the reason for LIMITCURVE_STATE_INVALID */
 } limitcurve_finger_output;
 
@@ -238,15 +239,14 @@ typedef struct limitcurve_patch limitcurve_patch;
 LIMITCURVE_API limitcurve_status limitcurve_finger_new(const limitcurve_table* table, const limitcurve_finger_parameters* parameters,
                                                        limitcurve_projection projection, limitcurve_finger** finger);
 
-/* A finger with a contact that is not round; radius_law may be NULL. `point_radius` [m] is given to the points of a patch; 0 is the
- * least. */
+/* A finger with a contact that is not round; radius_law may be NULL. `point_radius` [m] smooths the points of a patch; 0: 1e-3 m0. */
 LIMITCURVE_API limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch, const limitcurve_finger_parameters* parameters,
                                                              double point_radius, limitcurve_finger** finger);
 
 LIMITCURVE_API void limitcurve_finger_free(limitcurve_finger* finger);
 
-/* One step. `time_step` [s] since the last step is for the dampers; 0 without. A value that is not finite, a normal that is not of unit
- * length, a jump or a time step < 0 is no error; it gives the state LIMITCURVE_STATE_INVALID, and `fault` names the reason. [real time] */
+/* One step. Dampers use `time_step` [s], the time since the last step; 0: no dampers. A value that is not finite, a normal not of unit
+ * length, a jump or a time step < 0 is not an error: the state is LIMITCURVE_STATE_INVALID, and `fault` names the reason. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                                           limitcurve_finger_output* output);
 
@@ -284,7 +284,7 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_spring_energy(const limitcurv
 /* Back to the state before any contact. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_reset(limitcurve_finger* finger);
 
-/* Distance to slip, from 1 (no friction) to 0 (slips), and the least `load` of the output [N] that would hold the present friction. Either
+/* Distance to slip, from 1 (no friction) to 0 (slips), and the least `load` of the output [N] that would hold the current friction. Either
  * may be NULL. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_margin(const limitcurve_finger* finger, double* margin, double* load_to_hold);
 
@@ -313,7 +313,7 @@ typedef struct limitcurve_contacts {
   double* proxy_x;     /* in and out */
   double* proxy_y;
   double* proxy_angle;
-  uint8_t* state; /* in and out: a limitcurve_state. A sample, or a proxy, that is NaN is a fault: no other array changes */
+  uint8_t* state;         /* in and out: a limitcurve_state. A sample, or a proxy, that is NaN is a fault: no other array changes */
   uint8_t* force_slides;  /* memory */
   uint8_t* moment_slides; /* memory, of the moment on a box */
   double* search_start;   /* memory */
@@ -355,7 +355,7 @@ LIMITCURVE_API limitcurve_status limitcurve_batch_new_float(const limitcurve_law
 
 LIMITCURVE_API void limitcurve_batch_free(limitcurve_batch* batch);
 
-/* Steps `count` contacts. Threads may share a batch, each with its own part of the arrays. A batch made for the other precision is refused.
+/* Steps `count` contacts. Threads may share a batch, each with its own part of the arrays. It rejects a batch for the other precision.
  * [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_batch_step(const limitcurve_batch* batch, const limitcurve_contacts* contacts, size_t count);
 LIMITCURVE_API limitcurve_status limitcurve_batch_step_float(const limitcurve_batch* batch, const limitcurve_contacts_float* contacts,
@@ -378,7 +378,7 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_image(const double* pressures,
 /* The same with pixels that are rectangles, `width` along x and `height` along y [m]. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_image_spaced(const double* pressures, size_t rows, size_t columns, double width,
                                                                double height, limitcurve_patch** patch);
-/* The same patch with orthotropic friction: its own times mx along x and times my along y, both > 0. */
+/* The same patch with orthotropic friction: its own times mx along x and times my along y, both 1e-6 to 1e6. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my,
                                                               limitcurve_patch** result);
 
@@ -389,20 +389,20 @@ LIMITCURVE_API void limitcurve_patch_free(limitcurve_patch* patch);
 LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count,
                                                          double* wrenches, double* powers, double* errors);
 
-/* The smallest loads [N], of all points together, under which the patch bears `count` wrenches (fx, fy, moment) [N, N m] about the origin,
- * three numbers each, with friction `mu` >= 0; inf where no load holds. */
+/* The smallest loads [N], of all points together, under which the patch carries `count` wrenches (fx, fy, moment) [N, N m] about the
+ * origin, three numbers each, with friction `mu` >= 0; inf where no load holds. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu, const double* wrenches,
                                                                size_t count, double* loads);
 
-/* The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under `count` wrenches (fx, fy, moment) [N, N m] about the
- * origin, three numbers each: at the load that just holds, of power 1 W against the wrench; NaN for wrench 0, and where no load holds. Bounds of
- * |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the twist needs, may be NULL. */
+/* The twists (vx, vy, omega) [m/s, rad/s] with which the patch slips under `count` wrenches (fx, fy, moment) [N, N m], both about the
+ * origin, three numbers each: at the load that just holds, of power 1 W against the wrench; NaN for wrench 0, and where no load holds.
+ * Bounds on |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the twist needs, may be NULL. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches, size_t count, double* twists,
                                                        double* errors);
 
 /* ---- Fits ---- */
 
-/* A library built without Ceres refuses them with LIMITCURVE_FAILED. */
+/* In a library built without Ceres they return LIMITCURVE_FAILED. */
 typedef struct limitcurve_fit limitcurve_fit;
 
 /* Fits a friction model to `count` measured slips: loads [N], forces [N], moments [N m], and their standard deviations (both arrays, or

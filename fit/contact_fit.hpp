@@ -68,11 +68,12 @@ struct ContactFit {
 };
 
 /// Fits by orthogonal distance: errors of force and moment both count, each in units of its own sigma. Without sigmas the fit assumes
-/// errors that are proportional to the load and equal in the normalised plane, and estimates their size from the scatter; then `report.rms`
-/// is relative to the limit (0.02 is 2 %). With sigmas it is in standard deviations. No starting values are needed. Cost: about 1 ms for
-/// 100 samples, and once a process 20 to 70 ms for each family with a free shape. Throws std::invalid_argument that names the sample for
-/// bad samples, or the parameters that the samples cannot determine (too few; all on an axis; no twist at all). One more fit finds gross
-/// outliers, whatever the loss, and a γ that differs from the assumed γ by more than chance gives in one of 2000 data sets; the report
+/// errors that are proportional to the load and equal in the normalised plane, and estimates their size from the scatter; then
+/// `report.rms` is relative to the limit (0.02 is 2 %). With sigmas it is in standard deviations. No starting values are needed. One more
+/// fit finds gross outliers, whatever the loss, and a γ that differs from the assumed γ by more than chance gives in one of 2000 data
+/// sets; the report warns of both. Cost: about 1 ms for 100 samples, and once per process 20 to 70 ms for each family with a free shape.
+/// Throws std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot determine (too few; all
+/// on an axis; no twist at all; all about one centre).
 /// warns of both.
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options = {});
 

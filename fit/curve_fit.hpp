@@ -14,10 +14,10 @@ namespace limitcurve::fit {
 /// relative: its radius divided by the curve's along the same ray of the normalised plane (x = f,
 /// y = m/m₀), minus one.
 enum class Criterion {
-  intercepts,     ///< through (1, 0) and (0, m₀), as in the paper: too strong everywhere between
+  intercepts,     ///< through (1, 0) and (0, m₀), as in the paper: for common laws too strong between
   least_squares,  ///< least rms error over the rays, `CurveError::rms_error`, by Ceres
-  minimax,        ///< least largest error, of either sign
-  inner,          ///< least largest error of those inside the exact curve: never holds what slips
+  minimax,        ///< smallest largest error, of either sign
+  inner,          ///< the same inside the exact curve: never holds what slips
 };
 
 /// The criterion's name: intercepts, least-squares, minimax, inner.

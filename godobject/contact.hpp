@@ -19,12 +19,12 @@ using Numbers = std::array<double, 3>;
   return {vector.x(), vector.y(), vector.z()};
 }
 
-/// What is farther from the origin [m] is a fault of the device. A finger's sample is plausible if the sum of squares of its coordinates and
-/// depth [m] and its twist [rad] is at most farthest²; NaN is not. There positions are rounded to 1e-10 m, so that
-/// loads are, too: put the origin near the contact.
+/// What is farther from the origin [m] is a fault of the device. A finger's sample is plausible if the sum of squares of its coordinates
+/// and depth [m] and its twist [rad] is at most farthest²; NaN is not. At this distance positions are rounded to 1e-10 m, and loads with
+/// them: put the origin near the contact.
 inline constexpr double farthest = 1e6;
 
-/// Whether a sample is near enough to be one, by the sum of squares of its coordinates, depth and twist. A NaN is not.
+/// Whether a sample is plausible (`farthest`), by the sum of squares of its coordinates, depth and twist.
 template <class Real, class Number>
 [[nodiscard]] constexpr auto is_plausible(Number sum_of_squares) noexcept {
   return sum_of_squares <= Number(static_cast<Real>(farthest * farthest));
@@ -69,11 +69,11 @@ struct Contact {
   double depth = 0.0;                                 ///< d [m], depth of the finger beneath the surface; ≤ 0 outside
   ContactMemory memory = {};                          ///< to be passed to the next contact query
   /// Whether the finger has left the surface since the last sample and landed on it anew, as from one wall to another: then it touches down,
-  /// and the springs are relaxed as in a first contact. A surface of your own sets it, or does without: only the first contact is one then.
+  /// and the springs are relaxed as in a first contact. Your own surface may leave it false; then only the first contact touches down.
   bool landed = false;
 };
 
-/// An orientation, a device's pose, a contact of the world in the body's frame.
+/// Orientation, device pose or contact, from the world's frame into the body's.
 [[nodiscard]] inline Orientation to_body(const BodyPose& body, const Orientation& orientation) noexcept {
   return body.orientation.conjugate() * orientation;
 }
@@ -84,11 +84,11 @@ struct Contact {
   return {body.to_body(contact.point), body.orientation.conjugate() * contact.normal, contact.depth, contact.memory, contact.landed};
 }
 
-/// The spin of a device about the surface normal along its path: ∫ω·n dt, n the present normal. For a moment M about the normal the power
+/// The spin of a device about the surface normal along its path: ∫ω·n dt, n the current normal. For a moment M about the normal the power
 /// is M·dα/dt. Moving without turning gives no spin, on any surface; the device's initial orientation does not matter. A `SoftFinger` has
 /// its own Spin; a batch takes the angle. Plain data.
 ///
-/// An orientation that cones, and comes back to where it was, gives a spin of its solid angle, 2π(1 − cos θ) a circle of θ rad. That is
+/// An orientation that cones, and comes back to where it was, gives a spin of its solid angle, 2π(1 − cos θ) per circle at θ rad. That is
 /// right for a finger that rolls on to new skin. A pad that keeps its skin is wound up, too, until it slips: a weight that hangs on it,
 /// half of what friction carries, sinks by 0.02 mm in 50 circles at 0.02 rad, and by 13 mm at 0.2 rad (a = 6 mm, k_l = 1000 N/m, k_r =
 /// 0.036 N m/rad). If your pad only rocks, give its twist by `DevicePose::twist`, or in `update(contact, twist)`, and keep the orientation

@@ -36,8 +36,8 @@ class BasicFingerCurve {
   BasicFingerCurve(const Ellipse& ellipse);         // NOLINT
   BasicFingerCurve(const Polygon<3>& box);          // NOLINT
   BasicFingerCurve(const BasicTable<Real>& table);  // NOLINT
-  /// A curve that other code made, for example from cells in memory of its own. The view must stay valid as long as `owner`, of which
-  /// copies of the curve share the ownership; null if the memory outlives all of them.
+  /// A curve that other code made, for example from cells in its own memory. The view must stay valid as long as `owner` lives; copies of
+  /// the curve share `owner`. Null if the memory outlives all copies.
   BasicFingerCurve(const CurveView<Real>& view, std::shared_ptr<const void> owner) : view_(view), owner_(std::move(owner)) {}
   // Moves are cheap copies; a moved-from curve stays valid.
   BasicFingerCurve(const BasicFingerCurve&) = default;
@@ -80,7 +80,7 @@ using FingerCurve = BasicFingerCurve<double>;
 
 /// Kinds of limit curve of a law, by name.
 enum class CurveKind {
-  exact,    ///< the finest table of the law
+  exact,    ///< the finest table of the law; 1e-10 for a measured one
   table,    ///< a table of a given tolerance
   ellipse,  ///< the ellipse through the exact intercepts
   box       ///< uncoupled limits; for the closest point only

@@ -14,7 +14,7 @@ struct FrictionLimit {
   Number radius;  ///< a [m] ≥ 0
 };
 
-/// The limits of a contact at its present load, and the ratio of its springs.
+/// The limits of a contact at its current load, and the ratio of its springs.
 template <class Number>
 struct FrictionLimits {
   FrictionLimit<Number> sticking;            ///< with μ: of a contact that sticks
@@ -199,8 +199,8 @@ template <class Real, class Number>
 /// Applies friction (step b of the paper, eqs. 8–12, 19–23): the fraction of the trial deflection that the limit curve allows. Updates
 /// `memory`.
 ///
-/// Call it in every step of a contact, also where there is no displacement: else the moment of a twist alone is not limited. `memory` (new in
-/// each contact), deflection and angle are the caller's to keep, shortened by the fractions.
+/// Call it in every step of a contact, even without displacement: otherwise nothing limits the moment of a twist alone. You keep `memory`
+/// (new in each contact) and the deflection and angle, shortened by the fractions.
 ///
 /// Stick and slip: a contact at rest holds while its trial is within the sticking limit. After slip begins, the sliding limit acts, until a
 /// trial is within the stick fraction of the sliding limit; in that step the contact comes to rest. Slip work force·(r − r′) + moment·(ρ − ρ′)

@@ -27,7 +27,7 @@
 ///
 /// Units: metres, newtons, seconds, radians. Constructors throw std::invalid_argument with the parameter, its value, unit and range. The
 /// control loop does not throw, allocate or lock: a bad sample gives ContactState::invalid, and the last output fades. Distinct fingers on
-/// distinct threads need no lock. README.md has the mathematics and the corrections to the paper.
+/// distinct threads need no lock. godobject/README.md explains the step, docs/paper.md our corrections.
 ///
 /// A finger has
 ///  - a limit curve, FingerCurve: a Table of any law, an Ellipse, or a box (the paper's uncoupled step);

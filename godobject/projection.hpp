@@ -13,7 +13,7 @@ namespace limitcurve::godobject {
 /// How a trial wrench outside the limit curve is projected on to it.
 enum class Projection {
   radial,        ///< eq. (23): force and moment are multiplied by the same factor
-  c_curve,       ///< Fig. 5: along the curve of constant centre of rotation to the present load; radial if a does not depend on P
+  c_curve,       ///< Fig. 5: along the curve of constant centre of rotation to the current load; radial if a does not depend on P
   closest_point  ///< maximum dissipation: the slip is normal to the limit curve; on the box the paper's §3.1
 };
 

@@ -66,11 +66,11 @@ class PlaneSurface {
   }
 };
 
-/// A sphere about the origin. Without memory of where the finger entered: past the centre it is pushed out on the far side, and if it crosses
-/// the sphere in one step it is not touched. At the centre a finger keeps the normal of the last step.
+/// A sphere about the origin. It does not remember where a finger entered: one pressed past the centre comes out on the far side, and one
+/// that crosses the sphere in one step does not touch it. At the centre a finger keeps the normal of the last step.
 class SphereSurface {
  public:
-  explicit SphereSurface(double radius);  ///< [m] > 0; throws std::invalid_argument
+  explicit SphereSurface(double radius);  ///< [m] > 0, ≤ 1e6; throws std::invalid_argument
   [[nodiscard]] double radius() const noexcept { return radius_; }
   [[nodiscard]] Contact contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept;
 
@@ -78,11 +78,11 @@ class SphereSurface {
   double radius_;
 };
 
-/// A capsule: all points within a radius of the segment from (0, 0, −h) to (0, 0, h). Without memory of where the finger entered, as
-/// the sphere. On the segment a finger keeps the normal of the last step.
+/// A capsule: all points within a radius of the segment from (0, 0, −h) to (0, 0, h). Like the sphere, it does not remember where a finger
+/// entered. On the segment a finger keeps the normal of the last step.
 class CapsuleSurface {
  public:
-  CapsuleSurface(double radius, double half_length);  ///< [m] > 0, ≥ 0; throws std::invalid_argument
+  CapsuleSurface(double radius, double half_length);  ///< [m] > 0, ≥ 0, ≤ 1e6; throws std::invalid_argument
   [[nodiscard]] Contact contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept;
 
  private:
@@ -95,7 +95,7 @@ class CapsuleSurface {
 /// finger entered. On the axis it keeps the normal of the last step.
 class CylinderSurface {
  public:
-  CylinderSurface(double radius, double half_length);  ///< [m] > 0; throws std::invalid_argument
+  CylinderSurface(double radius, double half_length);  ///< [m] > 0, ≤ 1e6; throws std::invalid_argument
   [[nodiscard]] Contact contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept;
 
  private:
@@ -109,7 +109,7 @@ class CylinderSurface {
 /// edge. So it cannot pass through a thin plate, not even in one step.
 class BoxSurface {
  public:
-  explicit BoxSurface(const Eigen::Vector3d& half_edges);  ///< [m], each > 0; throws std::invalid_argument
+  explicit BoxSurface(const Eigen::Vector3d& half_edges);  ///< [m], each > 0, ≤ 1e6; throws std::invalid_argument
   [[nodiscard]] Contact contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept;
 
  private:

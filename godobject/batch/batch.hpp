@@ -102,8 +102,8 @@ using FloatContactArrays = BasicContactArrays<float>;
 ///     ContactArrays arrays(10000);
 ///     batch.step(arrays.batch());  // every millisecond, after x, y, twist and depth are written
 ///
-/// Results have the same bits on every instruction set (godobject/README.md, "Many contacts"). Immutable: any number of threads may share one, each with
-/// its part of the arrays. Allocates at construction only. Cost: studies/chart and the README of the repository.
+/// Results have the same bits on every instruction set. Immutable: any number of threads may share one, each with its
+/// part of the arrays. Allocates at construction only. Cost: docs/speed.md.
 template <class Real>
 class BasicBatch {
  public:

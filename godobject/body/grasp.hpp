@@ -22,11 +22,11 @@ class Grasp {
  public:
   /// Largest number of Newton steps from each of two starts; usually 2 to 4 are needed. Each costs seven evaluations of all fingers.
   static constexpr int iteration_limit = 20;
-  /// A step that cannot be solved is done in parts, of 1/2 to 1/2^7 of it, with poses of the devices in between; usually it is whole.
+  /// A step that cannot be solved is done in parts, down to 1/128 of it, with the devices' poses in between; usually it is whole.
   static constexpr int max_parts = 128;
   /// Largest number of halvings of a Newton step; usually 0.
   static constexpr int halving_limit = 24;
-  /// Equations are solved when the residual is at most this fraction of the velocities, including those that its loads give in the step.
+  /// Equations count as solved if the residual is at most this fraction of the velocities, including those that the step's loads give.
   static constexpr double solved_fraction = 1e-9;
 
   /// A body that turns by more [rad] in a step is moved in parts, too.
@@ -35,12 +35,13 @@ class Grasp {
   /// Throws std::invalid_argument with parameter, value, unit and range.
   Grasp(const BodyParameters& parameters, const BodyState& state, AnySurface surface, std::vector<SoftFinger> fingers);
 
-  /// One time step [s] > 0, with a device pose for each finger; a missing pose counts as far away. `force` [N] and `moment` [N m] about the
-  /// centre of mass, in world axes, are added to gravity and the fingers' forces. A pose that is not finite makes its finger `invalid`; the
-  /// finger then acts with its last force. An invalid time step, or forces that are not finite or would carry the body beyond `farthest`
-  /// (its position in m, its velocities in m/s and rad/s), move nothing: all fingers are `invalid` and name the fault. Does not throw,
-  /// allocate or lock. Cost: usually 15 to 40 contact queries a finger, for a step in parts some thousands; at most 2 `max_parts` solutions,
-  /// and as many again for each finger that begins to slip, of 2 `iteration_limit` (7 + `halving_limit`) queries each.
+  /// One time step [s] > 0, with a device pose for each finger; a missing pose counts as far away. `force` [N] and `moment` [N m] about
+  /// the centre of mass, in world axes, are added to gravity and the fingers' forces. A pose that is not finite makes its finger
+  /// `invalid`; the finger then acts with its last force. An invalid time step, or forces that are not finite or would carry the body
+  /// beyond `farthest` (its position in m, its velocities in m/s and rad/s), move nothing: all fingers are `invalid` and name the fault.
+  /// Does not throw, allocate or lock. Cost: usually 15 to 40 contact queries per finger, for a step in parts some thousands; at most 2
+  /// `max_parts` solutions, and as many again for each finger that begins to slip, of 2 `iteration_limit` (7 + `halving_limit`) queries
+  /// each.
   void step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force = Eigen::Vector3d::Zero(),
             const Eigen::Vector3d& moment = Eigen::Vector3d::Zero()) noexcept;
 
@@ -73,8 +74,8 @@ class Grasp {
   [[nodiscard]] double energy() const noexcept;
   /// Energy that the slip of all fingers has dissipated since the beginning [J].
   [[nodiscard]] double dissipated() const noexcept { return dissipated_; }
-  /// Number of steps whose equations were not solved, not even in parts, which a step with a refused sample does not have. Momentum changes
-  /// there, too, by the impulse of the fingers' forces as they are rendered; the position is approximate.
+  /// Number of steps whose equations were not solved, not even in parts (a step with a rejected sample is not divided). Even there
+  /// momentum changes by the impulse of the fingers' forces as they are rendered; the position is approximate.
   [[nodiscard]] std::size_t unsolved() const noexcept { return unsolved_; }
   /// Number of steps that were done in parts. There the output of a finger is that at the end, `slip` if a part slipped.
   [[nodiscard]] std::size_t divided() const noexcept { return divided_; }

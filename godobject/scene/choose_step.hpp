@@ -59,8 +59,8 @@ struct StepChoice {
   /// the load, otherwise it is that of the mean load. `error` is the largest change of (F/μP, M/Γ), as a distance: 0.01 is 1 % of the
   /// contact's limits. `nanoseconds`: cost of a step that slips.
   std::vector<Candidate> candidates;
-  /// Lines of one idea each: "no torsion is needed", "uncoupled will do" or "coupling is needed", the changes behind it, as seen (what is
-  /// decided by them counts `error_margin`), whether samples are too seldom. The last names the chosen step, or says that none is good
+  /// One idea per line: "no torsion is needed", "uncoupled will do" or "coupling is needed"; the changes behind it, as seen (a decision
+  /// multiplies them by `error_margin`); whether samples are too far apart. The last names the chosen step, or says that none is good
   /// enough, and the best.
   std::vector<std::string> verdict;
   /// The options of `Replay` that run the chosen model, on a plane; absent if no candidate is within the tolerance.

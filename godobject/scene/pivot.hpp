@@ -112,7 +112,7 @@ class Pivot {
   Pivot(Pivot&&) noexcept;
   Pivot& operator=(Pivot&&) noexcept;
 
-  /// The row at the present time.
+  /// The row at the current time.
   [[nodiscard]] const PivotRow& row() const noexcept;
   /// The smallest load of each finger that holds the level block at rest [N]; ∞ if none does. With less at the start the block falls.
   [[nodiscard]] double holding_load() const noexcept;

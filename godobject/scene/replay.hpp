@@ -47,7 +47,7 @@ struct ReplayOptions {
   CurveKind curve = CurveKind::table;  ///< of the law
   Projection projection = Projection::closest_point;
   double tolerance = Table::default_tolerance;      ///< of the table, in unit wrenches; used by `CurveKind::table` only
-  std::optional<Patch> patch = {};                  ///< in place of law, curve, projection and tolerance: the contact is not round
+  std::optional<Patch> patch = {};                  ///< instead of law, curve, projection and tolerance: the contact is not round
   double point_radius = 0.0;                        ///< of a patch: as in SoftFinger
   FingerParameters finger = {};                     ///< of every finger
   AnySurface surface = AnySurface(PlaneSurface{});  ///< of the body, in its frame
@@ -71,7 +71,7 @@ class Replay {
   /// and nothing moves. If a finger's pose is not finite, that finger is `invalid`. `SceneContact::fault` names the reason.
   void step(double time, std::span<const DevicePose> fingers, const BodyPose& body = {}) noexcept;
 
-  /// The present state of each finger.
+  /// The current state of each finger.
   [[nodiscard]] std::span<const SceneContact> contacts() const& noexcept { return contacts_; }
   void contacts() const&& = delete;
   [[nodiscard]] const BodyState& body() const& noexcept { return grasp_.body(); }
