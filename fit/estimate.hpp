@@ -39,7 +39,7 @@ struct FitReport {
   std::string note;
   /// Warnings that a user must know before using the numbers, one sentence each.
   std::vector<std::string> warnings;
-  /// The samples refuse γ as it was assumed; their scatter is more than their sigmas say. Each has its warning.
+  /// The samples reject the assumed γ; their scatter is more than their sigmas say. Each has its warning.
   bool gamma_refused = false;
   bool scatter_refused = false;
 

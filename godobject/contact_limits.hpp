@@ -22,7 +22,7 @@ template <std::floating_point Real>
 template <class Real>
 void check_projection(const BasicFingerCurve<Real>& curve, Projection projection);
 
-/// A sliding force of none (μ_d = 0), in units of the sticking one: it has a direction, below rounding, and the moment may keep a limit.
+/// A sliding force of 0 (μ_d = 0), as a fraction of the sticking one: it has a direction, below rounding, and the moment may keep a limit.
 inline constexpr double min_sliding_fraction = 1e-15;
 
 /// The fraction of the sliding limit within which a sliding contact comes to rest (FingerParameters::rest_margin). `sliding_fraction` ∈ [0, 1]
@@ -75,7 +75,7 @@ class ContactLimits {
   [[nodiscard]] double force_stick_fraction() const noexcept { return force_stick_fraction_; }
   /// Margin to slip of a finger, as a fraction of the acting limit: 1 without friction, 0 on the limit and during slip.
   [[nodiscard]] double margin(const FingerCurve& curve, const FingerParameters& parameters, const FingerState& state) const noexcept;
-  /// The smallest load [N] under which a contact at rest bears a friction force [N] and moment [N m], both ≥ 0 and finite; ∞ if none does.
+  /// The smallest load [N] under which a contact at rest carries a friction force [N] and moment [N m], both ≥ 0 and finite; ∞ if none does.
   [[nodiscard]] double load_to_hold(const FingerCurve& curve, double force, double moment) const noexcept;
 
  private:

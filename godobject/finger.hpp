@@ -162,7 +162,7 @@ struct FingerState {
   FingerFaults faults{};
   FrictionMemory<double> friction{};
   PatchMemory patch{};
-  /// Under a given load: the normal that holds the proxy, within 0.25 rad of the present one (finger/springs.hpp).
+  /// Under a given load: the normal that holds the proxy, within 0.25 rad of the current one (finger/springs.hpp).
   Eigen::Vector3d held_normal = Eigen::Vector3d::UnitZ();
   bool in_contact = false;   ///< unchanged by invalid samples
   double limit_load = 0.0;   ///< P that bounds friction [N]: k_l d plus the damper's force; `FingerOutput::load` without the surface's push

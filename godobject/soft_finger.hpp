@@ -63,7 +63,7 @@ class SoftFinger {
   /// One step with a contact found by your own collision detection, and the device's twist α_s [rad] about the normal. The twist may wrap
   /// at any multiple of 2π: a jump of more than π between steps is read as a turn the other way.
   const FingerOutput& update(const Contact& contact, double twist, double time_step = 0.0) & noexcept;
-  /// The same with the device's orientation in place of a twist, which is its `Spin` about the normals then.
+  /// The same with the device's orientation instead of a twist: the twist is then its `Spin` about the normals.
   const FingerOutput& update(const Contact& contact, const Orientation& orientation, double time_step = 0.0) & noexcept;
 
   /// One step inside a physics engine, which knows the load P [N] but no depth: the engine handles the normal direction, this finger the
@@ -89,11 +89,11 @@ class SoftFinger {
   [[nodiscard]] FingerOutput preview(const Contact& contact, double twist, double time_step = 0.0) const noexcept;
   [[nodiscard]] FingerOutput preview(const Contact& contact, const Orientation& orientation, double time_step = 0.0) const noexcept;
 
-  /// Other parameters in the loop, as where the finger touches another material. False, and nothing changed, if one is bad (`refusal`). Sets
-  /// parameters and limits and nothing else: `output`, proxy, angle and memories keep their bits. The next step has the new springs at the
-  /// same deflection, so that load and force scale with k; the energy ½Δk|x|² comes from whoever changes k. Where the limit fell below the
-  /// force it slips in that step, at work ≥ 0. `margin`, `load_to_hold` and `spring_energy` use the new parameters at once, with the last
-  /// step's wrench and deflection. Does not allocate; nor free, as long as the caller has a copy of a sampled radius law that it replaces.
+  /// Sets other parameters in the loop, for example where the finger touches another material. Returns false, and changes nothing, if one
+  /// is bad (`refusal`). `output`, proxy, angle and memories keep their bits; `margin`, `load_to_hold` and `spring_energy` use the new
+  /// parameters at once, with the last step's wrench and deflection. The next step has the new springs at the same deflection, so that
+  /// load and force scale with k; the energy ½Δk|x|² comes from whoever changes k. If the limit fell below the force, the finger slips in
+  /// that step, at work ≥ 0. Does not allocate, nor free if the caller keeps a copy of the sampled radius law that it replaces.
   bool change(const FingerParameters& parameters) noexcept;
   /// The first bad parameter, for which `change` is false and the constructor throws; none: `change` takes them.
   [[nodiscard]] std::optional<BadParameter> refusal(const FingerParameters& parameters) const noexcept;
@@ -123,7 +123,7 @@ class SoftFinger {
 
   /// Margin to slip, as a fraction of the limit: 1 without friction or while free, 0 on the limit and during slip.
   [[nodiscard]] double margin() const noexcept;
-  /// How hard to grip: the smallest `FingerOutput::load` [N] that carries the present friction without slip. It is at most the present load
+  /// How hard to grip: the smallest `FingerOutput::load` [N] that carries the current friction without slip. It is at most the current load
   /// if and only if the contact is within its static limit.
   [[nodiscard]] double load_to_hold() const noexcept;
   /// The slip's centre of rotation in the surface's frame [m]; infinite for pure sliding, NaN without slip.

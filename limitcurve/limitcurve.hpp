@@ -40,7 +40,6 @@ namespace limitcurve {
 // 1. Generate.
 
 /// The pressure law of that name, such as `hertz`, `power:n=2.3` or `mix:0.7*hertz+0.3*uniform`; laws.hpp lists all names and factories.
-/// Throws std::invalid_argument for an unknown name or a parameter out of range.
 Law parse_law(std::string_view text);
 
 // law->evaluate(s)              reference: unit wrench at s ∈ [0, ∞] with its error bound, at most 1e-14 relative; microseconds to

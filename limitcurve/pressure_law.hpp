@@ -37,7 +37,7 @@ struct RadialPosition {
 };
 
 /// A pressure law: the shape of an axisymmetric pressure under a soft finger, g(ρ) = πa² p(ρa)/P, normalised to ∫ 2ρ g dρ = 1.
-/// Laws are immutable and may be shared between threads.
+/// laws.hpp makes laws. `evaluate` gives reference values; for a control loop build a Table. Immutable: threads may share a law.
 ///
 /// To add a law: docs/extend.md. tests/limitcurve/law_suite.cpp has one test for each requirement.
 class PressureLaw {

@@ -53,8 +53,8 @@ struct TableOptions {
   std::size_t preferred_bytes = 4096;
 };
 
-/// A lookup table for real-time loops: a limit curve to a chosen tolerance, at a few nanoseconds per wrench and at most 96 KiB. After
-/// construction nothing allocates, throws or locks. Immutable; copies share the cells. Models LimitCurve.
+/// A lookup table for real-time loops: a limit curve to a chosen tolerance, at a few nanoseconds per wrench and at most 96 KiB. `build` it
+/// before the loop; `wrench`, `along` and `gauge` do not allocate, throw or lock. Immutable; copies share the cells. Models LimitCurve.
 ///
 /// If f and m were interpolated separately, a finger could rest at several wrenches of one steady twist (docs/stability.md). So the table
 /// stores one convex function: D(x) = H(x, 1), x = c/a, inside the rim, D(x) = H(1, x), x = a/c, outside, in cells of degree 3 to 6. Cells
@@ -118,7 +118,7 @@ class BasicTable {
   [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
   [[nodiscard]] const TablePieces<Real>& pieces() const noexcept { return view_.table; }
 
-  /// The wrench of a slip twist, to checked_error(), in a few nanoseconds. Signs are ignored; a zero twist gives wrench 0.
+  /// The wrench of a slip twist, to checked_error(). Signs are ignored; a zero twist gives wrench 0.
   /// Inlined, as `point` and `gauge`: your compiler's flags may change its last bits (docs/interfaces.md).
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     twist = {arithmetic::abs(twist.slide), arithmetic::abs(twist.spin)};

@@ -14,11 +14,11 @@ class GrippedBlock {
   /// Uses length, height, mass, offset and gravity of the options. Both fingers are copies of `finger`. Throws like Grasp.
   GrippedBlock(const PivotOptions& options, const SoftFinger& finger);
 
-  /// Begins level and at rest, under a load of each finger [N]: the springs just bear the block's weight. Call it once.
+  /// Begins level and at rest, under a load of each finger [N]: the springs just carry the block's weight. Call it once.
   void take(double load) noexcept;
   /// One time step [s] under a load of each finger [N].
   void step(double load, double time_step) noexcept;
-  /// Goes on with copies of another finger, which take over the state of the present ones.
+  /// Goes on with copies of another finger, which take over the state of the current ones.
   void change_fingers(const SoftFinger& finger);
 
   [[nodiscard]] const Grasp& grasp() const noexcept { return grasp_; }

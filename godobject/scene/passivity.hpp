@@ -8,10 +8,11 @@ namespace limitcurve::godobject {
 // Passivity of a finger's gains at a sample time; offline. A sampled spring holds its force half a sample too long, and so adds energy at
 // every stiffness. The device must dissipate it.
 
-/// The smallest damping of the device itself (without friction and inertia) that makes a sampled linear spring k and damper b passive in any hand:
-/// sup over θ of ½kT sin((N + ½)θ)/sin(θ/2) − b cos((N + 1)θ) for a force that comes N samples late, at most (N + ½)kT + |b|; kT/2 + |b|
-/// without delay (Colgate and Schenkel, J. Robotic Systems 14:37–47, 1997; the damper uses a backward difference, as here). Most devices are
-/// a sample late. One channel: N/m and N s/m, or N m/rad and N m s/rad; T [s] > 0, 0 ≤ N ≤ `most_delay` samples.
+/// The smallest damping of the device itself (without friction and inertia) that makes a sampled linear spring k and damper b passive in
+/// any hand. Most devices are a sample late. For a force N samples late it is the sup over θ of ½kT sin((N + ½)θ)/sin(θ/2) −
+/// b cos((N + 1)θ), at most (N + ½)kT + |b|, and kT/2 + |b| without delay (Colgate and Schenkel, J. Robotic Systems 14:37–47, 1997; the
+/// damper uses a backward difference, as here). One channel: N/m and N s/m, or N m/rad and N m s/rad; T [s] > 0, 0 ≤ N ≤ `most_delay`
+/// samples.
 ///
 /// With friction and on curved surfaces it is searched, not proved, for translation and for twist about the normal, also with a delay: no
 /// path gained more (energy_search_test). If the device also rotates while the normal turns, it gains at most |M| |Δn| |Δφ|/2 more in a

@@ -101,7 +101,7 @@ struct PivotRow {
   double trial_rho = 0.0;  ///< |α_p − α_g| before step b [rad]
 };
 
-/// The experiment, step by step. Deterministic.
+/// The experiment: call `step` until it returns false, and read each `row`. Deterministic.
 class Pivot {
  public:
   class Scene;  // defined in pivot.cpp

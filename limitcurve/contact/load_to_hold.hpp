@@ -37,7 +37,7 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
   double low = (std::max)(force_alone, moment_alone);
   double high = force_alone + moment_alone;
   if (force == 0.0 || moment == 0.0 || std::isinf(high)) return high;
-  // Where the radius falls with the load the sum of the two loads need not hold. A load that bears twice the force alone and twice the
+  // Where the radius falls with the load the sum of the two loads need not hold. A load that carries twice the force alone and twice the
   // moment alone does.
   if (radius_law.is_sampled() || radius_law.exponent() < 0.0)
     high = (std::max)(high, radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);

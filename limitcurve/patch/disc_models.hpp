@@ -18,8 +18,8 @@ struct DiscModel {
   CurveError error;  ///< of H_model/H over twists; see `disc_models`
 };
 
-/// By what the discs multiply μ: the factor of a patch with equal friction factors, else 2 mx my/(mx + my), whose largest relative error in
-/// pure sliding is the least.
+/// The factor of the discs' μ: the patch's friction factor if both are equal, else 2 mx my/(mx + my), which has the smallest largest
+/// relative error in pure sliding.
 double disc_factor(const Patch& patch);
 
 /// The round models of a patch and their errors against it:
@@ -45,9 +45,8 @@ struct EngineShape {
 /// The shapes and their errors against a patch. Throws like `disc_models`.
 std::vector<EngineShape> engine_shapes(const Patch& patch);
 
-/// The disc, the ellipsoid and the patch itself as candidates, sorted by cost. `chosen` marks the cheapest that is accurate enough; the patch
-/// always is. Throws like `disc_models`, and for a tolerance outside
-/// [1e-10, 1].
+/// The disc, the ellipsoid and the patch itself as candidates, sorted by cost. `chosen` marks the cheapest that is accurate enough; the
+/// patch always is. Throws like `disc_models`, and for a tolerance outside [1e-10, 1].
 std::vector<Candidate> choose(const Patch& patch, double tolerance);
 
 }  // namespace limitcurve

@@ -27,8 +27,8 @@ struct HalfSpaces {
 /// coordinates. A wrench that satisfies all of them holds: no vertex exceeds the limit surface, the patch's own error included. `share` is
 /// 0.89 for a rectangle 2 : 1 and 32 rows, 0.96 for 128. A round contact is the patch `Patch::ellipse(law, a, a)`. If a grows with the load
 /// (γ > 0), rows made at the smallest load are safe at larger ones; other rows hold for the patch's pressure alone.
-/// Throws std::invalid_argument for fewer than 8 rows, and for a single point, which bears no moment.
 /// Cost: three wrenches for each row and 200 for each vertex, 1 ms for 32 rows on a rectangle; 128 rows compare 340 000 triples of planes.
+/// Throws std::invalid_argument for fewer than 8 rows, and for a single point, which carries no moment.
 HalfSpaces half_spaces(const Patch& patch, std::size_t rows = 32);
 
 }  // namespace limitcurve

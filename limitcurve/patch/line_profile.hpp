@@ -47,7 +47,7 @@ class LineProfile {
   };
 
   void tabulate(double tolerance);
-  /// Adds cells until each is right to `tolerance`, or cannot be made so. `before` is the error of the cell that is being halved. Returns the
+  /// Adds cells until each is accurate to `tolerance`, or cannot be made so. `before` is the error of the cell being halved. Returns the
   /// largest error of the cells.
   double add_cells(double begin, double end, double tolerance, double before);
   [[nodiscard]] static Value at(const Cell& cell, double t) noexcept;

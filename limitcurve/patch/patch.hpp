@@ -50,25 +50,26 @@ struct PatchFriction {
 
 /// How a patch slips under a wrench.
 struct PatchSlip {
-  PatchTwist twist;    ///< about the origin, of power 1 against the wrench; NaN for wrench 0 and for one that no load bears
+  PatchTwist twist;    ///< about the origin, of power 1 against the wrench; NaN for wrench 0 and for one that no load holds
   double gauge = 0.0;  ///< of the wrench: 1 on the limit surface
-  double error = 0.0;  ///< bound of |ΔF| and |ΔM|/m₀, Δ from wrench/gauge to what the twist needs, force of a point under the COR aside
+  double error = 0.0;  ///< bound on |ΔF| and |ΔM|/m₀, Δ from wrench/gauge to the twist's wrench; a point under the COR aside
 };
 
 namespace patch {
 struct Shape;
 }
 
-/// A pressure patch, for load 1 and friction coefficient 1 (or `orthotropic`): the power H of a twist, a convex function of degree one, and
-/// its gradient, the wrench. Twists and moments refer to the centre of pressure. Immutable: copies share the data, and so may threads.
-///
-/// A zero twist gives wrench 0, one of the many wrenches that hold. A point exactly under the centre of rotation (COR) bears no force. NaN
-/// gives NaN. The factories throw std::invalid_argument, with the vertex, point or pixel (counted from 1), its value and what is expected.
-/// Lengths are in metres, between 1e-100 and 1e100.
+/// A contact that is not round: a pressure patch, for load 1 and friction coefficient 1 (or `orthotropic`). The power H of a twist is a
+/// convex function of degree one, and its gradient is the wrench. Twists and moments refer to the centre of pressure unless stated
+/// otherwise. Immutable: copies share the data, and so may threads.
 ///
 /// Errors, as `PatchFriction::error` defines them: points and polygons 1e-13 (for polygons of area A, perimeter L and radius R the error
 /// grows with L R²/(A m₀)); ellipses of an aspect up to 20: 1e-12 for smooth laws, else 1e-10 plus the law's own error; images: see
 /// `image`.
+///
+/// A zero twist gives wrench 0, one of the many wrenches that hold. A point exactly under the centre of rotation (COR) carries no force.
+/// NaN gives NaN. The factories throw std::invalid_argument, with the vertex, point or pixel (counted from 1), its value and what is
+/// expected. Lengths are in metres, between 1e-100 and 1e100.
 class Patch {
  public:
   /// Point contacts with loads ≥ 0, not all 0. A wrench of three points costs 15 ns.
@@ -111,13 +112,13 @@ class Patch {
   [[nodiscard]] double power(const PatchTwist& twist) const noexcept { return evaluate(twist).power; }
   [[nodiscard]] PatchWrench wrench(const PatchTwist& twist) const noexcept { return evaluate(twist).wrench; }
 
-  /// The gauge of a wrench in units of μP about the centre of pressure: 0 for wrench 0, 1 on the limit surface, more where the patch slips;
-  /// inf for a moment that all load on one point must bear. Relative error 1e-12 plus the patch's own. Cost: 30 to 80 wrenches, 200 for two
+  /// The gauge of a wrench in units of μP about the centre of pressure: 0 for wrench 0, 1 on the limit surface, more where the patch
+  /// slips; inf for a moment if all load is on one point. Relative error 1e-12 plus the patch's own. Cost: 30 to 80 wrenches, 200 for two
   /// points.
   [[nodiscard]] double gauge(const PatchWrench& wrench) const noexcept;
   /// The slip that begins when a wrench [N, N m], about the origin of the coordinates, overcomes friction: the inverse of `about_origin`.
-  /// Where the limit surface is flat, the slip is about a point, exactly; that point may bear any force up to its share. Points on one line,
-  /// and a single point, may slip in more than one way: it is one of them. Cost: 50 to 150 wrenches.
+  /// Where the limit surface is flat, the slip is about a point, exactly, which may carry any force up to its share. Points on one line,
+  /// and a single point, may slip in more than one way: this is one of them. Cost: 50 to 150 wrenches.
   [[nodiscard]] PatchSlip slip(const PatchWrench& wrench) const;
 
   /// Centre of pressure [m].
@@ -154,7 +155,7 @@ class Patch {
   double radius_ = 0.0;
 };
 
-/// The smallest load [N], of all points together, under which the patch bears a wrench [N, N m] about the origin of its coordinates
+/// The smallest load [N], of all points together, under which the patch carries a wrench [N, N m] about the origin of its coordinates
 /// without slip, with friction `mu` ≥ 0 and the patch's shape of pressure at every load. 0 for wrench 0; inf if no load holds. Throws
 /// std::invalid_argument for arguments out of range. Error and cost are those of `Patch::gauge`.
 double load_to_hold(const Patch& patch, double mu, const PatchWrench& wrench);
