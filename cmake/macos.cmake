@@ -4,6 +4,7 @@
 set(CMAKE_SYSTEM_NAME Darwin)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 find_program(LIMITCURVE_ZIG NAMES python-zig zig REQUIRED)
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES LIMITCURVE_ZIG)
 foreach(language C CXX)
   set(CMAKE_${language}_COMPILER_TARGET aarch64-macos.13.3)
 endforeach()
