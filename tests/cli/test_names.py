@@ -33,7 +33,7 @@ def cpp_names():
         for structure in structures:
             found |= fields(source, structure)
     soft_finger = text("godobject", "soft_finger.hpp")
-    found |= set(re.findall(r"\b(\w+)\([^)]*\) (?:const&? )?noexcept", soft_finger)) | set(re.findall(r"(?:double|Contact&) (\w+)[,)= ]", soft_finger))
+    found |= set(re.findall(r"\b(\w+)\([^)]*\) (?:const&? |& )?noexcept", soft_finger)) | set(re.findall(r"(?:double|Contact&) (\w+)[,)= ]", soft_finger))
     return found | fields(text("godobject", "scene", "replay.hpp"), "ReplayOptions")
 
 
