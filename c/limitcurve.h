@@ -372,7 +372,8 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_polygon(const double* x, const
 LIMITCURVE_API limitcurve_status limitcurve_patch_rectangle(double x, double y, limitcurve_patch** patch);
 /* A law on the ellipse with semi-axes a (along x) and b [m]. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_ellipse(const limitcurve_law* law, double a, double b, limitcurve_patch** patch);
-/* A pressure image: `rows` rows of `columns` pressures >= 0, the first row at the largest y; pixels are squares of side `pixel` [m]. */
+/* A pressure image: `rows` rows of `columns` pressures, the first row at the largest y; pixels are squares of side `pixel` [m]. Negative
+   pressures are noise: those up to 1.5 times the most negative count as 0. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_image(const double* pressures, size_t rows, size_t columns, double pixel,
                                                         limitcurve_patch** patch);
 /* The same with pixels that are rectangles, `width` along x and `height` along y [m]. */

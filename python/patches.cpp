@@ -64,7 +64,7 @@ nb::object loads_to_hold_patch(const PyPatch& patch, const BoundArguments& given
 /// The patch, with warnings of what is odd about it.
 PyPatch asked(cli::PatchArgument argument) {
   PyPatch patch(std::move(argument));
-  warn(patch.made_of.remarks());
+  warn(patch.made_of.remarks(patch));
   return patch;
 }
 
@@ -126,9 +126,7 @@ PyPatch image(const BoundArguments& given) {
     pressure = 0.0;
     ++made.without_sensor;
   }
-  std::optional<double> floor;
-  if (!given[3].is_none()) floor = number_of(given[3], "floor");
-  made.remove_noise(floor);
+  if (!given[3].is_none()) made.floor = number_of(given[3], "floor");
   return asked(std::move(made));
 }
 
@@ -139,7 +137,9 @@ PatchState state_of(const PyPatch& self) {
   const cli::PatchArgument& made = self.made_of;
   std::vector<double> profile;
   for (const PressureSample& sample : made.profile) profile.insert(profile.end(), {sample.radius, sample.pressure});
-  return {made.kind, made.text, made.numbers, made.columns, {made.x, made.y, made.mx, made.my}, made.law, profile, self.multiplied_by};
+  std::vector<double> lengths{made.x, made.y, made.mx, made.my};
+  if (made.floor) lengths.push_back(*made.floor);
+  return {made.kind, made.text, made.numbers, made.columns, lengths, made.law, profile, self.multiplied_by};
 }
 
 PyPatch patch_of(const PatchState& state) {
@@ -153,6 +153,7 @@ PyPatch patch_of(const PatchState& state) {
                           .law = law,
                           .mx = lengths.at(2),
                           .my = lengths.at(3)};
+  if (lengths.size() > 4) made.floor = lengths[4];
   for (std::size_t i = 0; i + 1 < profile.size(); i += 2) made.profile.push_back({profile[i], profile[i + 1]});
   PyPatch patch(std::move(made));
   for (const auto& [mx, my] : multiplied_by) patch = patch.orthotropic(mx, my);

@@ -7,7 +7,6 @@
 #include "cli/io/unit_checks.hpp"
 #include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number_list.hpp"
-#include "limitcurve/internal/signed_noise.hpp"
 
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -232,16 +231,15 @@ PatchArgument parse(std::string_view kind, std::string_view rest) {
     const auto take_columns = [&](std::string_view text) {
       of.columns = read_number(text, Range{1.0, 1e6, "a whole number from 1", true});
     };
-    double floor = std::numeric_limits<double>::quiet_NaN();
+    const auto take_floor = [&](std::string_view text) { patch.floor = read_number(text, non_negative); };
     read_key_values(items, with_factors({{"pixel", [&](std::string_view text) { read_pixel(text, patch); }, false, "SIDE or XxY"},
                                          {"columns", take_columns, false, "N"},
                                          {"frame", take_frame, false, "N"},
                                          number_key("skip", of.skip, Range{0.0, 1e6, "a whole number", true}, false),
-                                         number_key("floor", floor, non_negative, false)},
+                                         {"floor", take_floor, false, "P"}},
                                         patch));
     read_pixels(patch, of);
     if (patch.x == 0.0 || patch.y == 0.0) throw std::invalid_argument("no pixel=…, expected the sides of a pixel [m]");
-    patch.remove_noise(std::isnan(floor) ? std::nullopt : std::optional(floor));
   } else if (kind == "rectangle") {
     read_key_values(rest, with_factors({number_key("x", patch.x, positive), number_key("y", patch.y, positive)}, patch));
   } else if (kind == "ellipse") {
@@ -272,7 +270,7 @@ Patch PatchArgument::patch() const {
   const auto made = [&]() -> Patch {
     if (kind == "rectangle") return Patch::rectangle(x, y);
     if (kind == "ellipse") return Patch::ellipse(law_of(law, profile), x, y);
-    if (kind == "image") return Patch::image(numbers, columns, x, y);
+    if (kind == "image") return Patch::image(numbers, columns, x, y, floor);
     if (kind == "polygon") {
       std::vector<PatchPoint> vertices;
       for (std::size_t i = 0; i < rows; ++i) vertices.push_back({row(i)[0], row(i)[1]});
@@ -288,29 +286,22 @@ Patch PatchArgument::patch() const {
   });
 }
 
-void PatchArgument::remove_noise(std::optional<double> floor) {
-  const SignedNoise noise =
-      limitcurve::remove_noise(numbers, std::vector<double>(numbers.size(), 1.0), file.empty() ? "pressures" : file, floor);
-  if (noise.zeroed > 0) notes.push_back(noise.text());
-}
-
-std::vector<std::string> PatchArgument::remarks() const {
-  std::vector<std::string> lines;
-  for (const std::string& note : notes) lines.push_back("note: " + (file.empty() ? "pressures" : file) + ": " + note);
-  if (!law.empty()) {
-    const std::vector<std::string> of_law = law_of(law, profile)->remarks();
-    lines.insert(lines.end(), of_law.begin(), of_law.end());
+std::vector<std::string> PatchArgument::remarks(const Patch& made) const {
+  std::vector<std::string> lines = made.remarks();
+  const std::string about = (file.empty() ? "pressures" : file) + ": ";
+  if (law.empty()) {
+    for (std::string& line : lines) line.insert(std::string_view("note: ").size(), about);
   }
+  for (const std::string& note : notes) lines.push_back("note: " + about + note);
   if (without_sensor > 0) {
-    lines.push_back("note: " + (file.empty() ? "pressures" : file) + ": " + std::to_string(without_sensor) + " of " +
-                    std::to_string(numbers.size()) + " pixels have no sensor, and count as without pressure");
+    lines.push_back("note: " + about + std::to_string(without_sensor) + " of " + std::to_string(numbers.size()) +
+                    " pixels have no sensor, and count as without pressure");
   }
   const std::size_t rows = columns == 0 ? 0 : numbers.size() / columns;
   constexpr std::size_t slender = 20;
   if (kind == "image" && (columns > slender * rows || frames_in_blocks)) {
-    lines.push_back("warning: " + (file.empty() ? "pressures" : file) + ": a picture of " + std::to_string(rows) + " rows of " +
-                    std::to_string(columns) + " pixels" + (frames_in_blocks ? " in blocks" : "") +
-                    ": is it one frame? columns=N[,frame=K] reads a frame a row");
+    lines.push_back("warning: " + about + "a picture of " + std::to_string(rows) + " rows of " + std::to_string(columns) + " pixels" +
+                    (frames_in_blocks ? " in blocks" : "") + ": is it one frame? columns=N[,frame=K] reads a frame a row");
   }
   if (text.empty()) return lines;
   UnitChecks questions;
@@ -351,7 +342,7 @@ PatchArgument parse_patch(const std::string& text) {
 Patch read_patch(const std::string& text, Messages& messages) {
   const PatchArgument argument = parse_patch(text);
   Patch patch = argument.patch();
-  messages.say(argument.remarks());
+  messages.say(argument.remarks(patch));
   return patch;
 }
 

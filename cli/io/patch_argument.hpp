@@ -28,14 +28,13 @@ struct PatchArgument {
   std::vector<PressureSample> profile = {};
   double mx = 1.0;
   double my = 1.0;
+  std::optional<double> floor = {};     ///< of an image: see Patch::image
   std::vector<std::string> notes = {};  ///< on its file
 
-  /// Of an image: sets noise around 0 to 0, up to `floor` or by the size that negative pressures tell (limitcurve/internal/signed_noise.hpp).
-  void remove_noise(std::optional<double> floor);
   /// Throws std::invalid_argument with text, file and the place of the error in it.
   [[nodiscard]] Patch patch() const;
-  /// What a user must know of it, and what is to be asked: "note: …", "warning: …". The unit of arrays is not asked.
-  [[nodiscard]] std::vector<std::string> remarks() const;
+  /// What a user must know of the patch `made`, and what is to be asked: "note: …", "warning: …". The unit of arrays is not asked.
+  [[nodiscard]] std::vector<std::string> remarks(const Patch& made) const;
 
  private:
   /// Its longest side [m].

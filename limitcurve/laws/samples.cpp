@@ -330,7 +330,8 @@ Law samples(std::span<const PressureSample> rows, std::string_view source, doubl
     notes.push_back("note: " + std::string(source) + ": " + std::to_string(profile.size()) +
                     " samples are too few to estimate the error between them; expected 7 or more");
   }
-  const SignedNoise noise = remove_noise(pressures, areas, "profile '" + std::string(source) + "'");
+  const SignedNoise noise = remove_noise(
+      pressures, areas, [&](std::size_t i) { return "profile '" + std::string(source) + "', sample " + std::to_string(places[i] + 1); });
   if (noise.zeroed > 0) notes.push_back("note: " + std::string(source) + ": " + noise.text());
   for (std::size_t i = 0; i < profile.size(); ++i) profile[i].pressure = pressures[i];
   // The contact ends where its pressure does: a sensor's line goes on.

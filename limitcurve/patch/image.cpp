@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/internal/signed_noise.hpp"
 #include "limitcurve/patch/point_sums.hpp"
 #include "limitcurve/patch/polygon_edge.hpp"
 #include "limitcurve/patch/shape.hpp"
@@ -77,9 +78,10 @@ struct Image final : Shape {
   std::vector<double> weights;
   std::vector<std::size_t> before;  ///< how many of them precede each pixel
   PatchPoint corner;                ///< of the image: least x, largest y, from the centre of pressure
+  std::vector<std::string> notes;
 
-  Image(std::vector<double> pixel_loads, std::size_t width, double hx, double hy)
-      : loads(std::move(pixel_loads)), columns(width), rows(loads.size() / width), side_x(hx), side_y(hy) {
+  Image(std::vector<double> pixel_loads, std::size_t width, double hx, double hy, std::vector<std::string> lines)
+      : loads(std::move(pixel_loads)), columns(width), rows(loads.size() / width), side_x(hx), side_y(hy), notes(std::move(lines)) {
     Extended mean_column = 0;
     Extended mean_row = 0;
     for (std::size_t i = 0; i < loads.size(); ++i) {
@@ -182,7 +184,7 @@ struct Image final : Shape {
   static constexpr double fourth_order = 0.02;
 
   [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
-    return std::make_shared<Image>(loads, columns, sx * side_x, sy * side_y);
+    return std::make_shared<Image>(loads, columns, sx * side_x, sy * side_y, notes);
   }
   [[nodiscard]] std::shared_ptr<Shape> smoothed(double) const override {
     std::vector<PatchLoad> points;
@@ -200,23 +202,27 @@ struct Image final : Shape {
     for (std::size_t i = 0; i < xs.size(); ++i) middles.push_back({xs[i], ys[i]});
     return middles;
   }
+  [[nodiscard]] std::vector<std::string> remarks() const override { return notes; }
 };
 
 }  // namespace
 
-std::shared_ptr<Shape> make_image(std::span<const double> pressures, std::size_t columns, double width, double height) {
+std::shared_ptr<Shape> make_image(std::vector<double> pressures, std::size_t columns, double width, double height,
+                                  std::optional<double> floor) {
+  if (floor && !(*floor >= 0.0)) throw out_of_range("floor", *floor, "1", ">= 0");
   if (columns == 0 || pressures.empty() || pressures.size() % columns != 0) {
     throw std::invalid_argument("an image of " + std::to_string(pressures.size()) + " pixels in rows of " + std::to_string(columns) +
                                 ", expected whole rows");
   }
-  double highest = 0.0;
+  const auto place = [columns](std::size_t i) {
+    return "row " + std::to_string(i / columns + 1) + ", column " + std::to_string(i % columns + 1);
+  };
   for (std::size_t i = 0; i < pressures.size(); ++i) {
-    if (!(pressures[i] >= 0.0 && pressures[i] <= std::numeric_limits<double>::max())) {
-      throw std::invalid_argument("row " + std::to_string(i / columns + 1) + ", column " + std::to_string(i % columns + 1) + ": " +
-                                  out_of_range("pressure", pressures[i], "1", "a finite number >= 0").what());
-    }
-    highest = std::max(highest, pressures[i]);
+    if (!std::isfinite(pressures[i]))
+      throw std::invalid_argument(place(i) + ": " + out_of_range("pressure", pressures[i], "1", "a finite number").what());
   }
+  const SignedNoise noise = remove_noise(pressures, std::vector<double>(pressures.size(), 1.0), place, floor);
+  const double highest = *std::max_element(pressures.begin(), pressures.end());
   if (highest == 0.0) {
     throw std::invalid_argument("all " + std::to_string(pressures.size()) + " pixels have pressure 0, expected one of pressure > 0");
   }
@@ -224,7 +230,9 @@ std::shared_ptr<Shape> make_image(std::span<const double> pressures, std::size_t
   for (const double pressure : pressures) total += Extended(pressure) / highest;
   std::vector<double> loads;
   for (const double pressure : pressures) loads.push_back(static_cast<double>(Extended(pressure) / highest / total));
-  return std::make_shared<Image>(std::move(loads), columns, width, height);
+  std::vector<std::string> notes;
+  if (noise.zeroed > 0) notes.push_back("note: " + noise.text());
+  return std::make_shared<Image>(std::move(loads), columns, width, height, std::move(notes));
 }
 
 }  // namespace limitcurve::patch

@@ -94,8 +94,9 @@ Patch Patch::ellipse(const Law& law, double a, double b) {
   return Patch(patch::make_ellipse(checked(law), checked_length("a", a), checked_length("b", b)));
 }
 
-Patch Patch::image(std::span<const double> pressures, std::size_t columns, double width, double height) {
-  return Patch(patch::make_image(pressures, columns, checked_length("pixel", width), checked_length("pixel", height)));
+Patch Patch::image(std::span<const double> pressures, std::size_t columns, double width, double height, std::optional<double> floor) {
+  return Patch(patch::make_image({pressures.begin(), pressures.end()}, columns, checked_length("pixel", width),
+                                 checked_length("pixel", height), floor));
 }
 
 Patch Patch::orthotropic(double mx, double my) const {
@@ -127,6 +128,10 @@ PatchFriction Patch::about_origin(const PatchTwist& twist) const noexcept {
   PatchFriction friction = scaled(twist, reach, [this](const PatchTwist& one) { return shape_->about_origin(one, {mx_, my_}); });
   if (mx_ != 1.0 || my_ != 1.0) friction.error = (friction.error + 2.0 * patch::epsilon) * std::max({1.0, mx_, my_});
   return friction;
+}
+
+std::vector<std::string> Patch::remarks() const {
+  return shape_->law() ? shape_->law()->remarks() : shape_->remarks();
 }
 
 double Patch::nanoseconds() const noexcept {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -83,15 +84,16 @@ class Patch {
   /// law whose mean distance from a diameter is below 1e-4 of its radius: xydas-kao of k < 0.05.
   /// Cost: Hertz and flat punch 20 ns with the COR inside, 1 to 2 µs outside; other laws 3 to 10 µs, samples with many breaks more.
   static Patch ellipse(const Law& law, double a, double b);
-  /// A pressure image: rows of equal length, the first at the largest y. A pixel is a square of side `pixel` under constant pressure ≥ 0.
+  /// A pressure image: rows of equal length, the first at the largest y. A pixel is a square of side `pixel` under constant pressure.
+  /// Negative pressures are noise, which tells its own size, as in `samples` (laws.hpp).
   /// The origin is the centre of pressure. Pixels next to the COR are integrated as squares; other pixels are points with the square's
   /// radius of gyration. The error comes from fourth moments: 1e-5 for a dense image of 64 × 64, 1e-2 for a single pixel. Cost: 1 ns a
   /// pixel with AVX2, 3 ns without.
   static Patch image(std::span<const double> pressures, std::size_t columns, double pixel) {
     return image(pressures, columns, pixel, pixel);
   }
-  /// The same with pixels that are rectangles, `width` along x and `height` along y [m].
-  static Patch image(std::span<const double> pressures, std::size_t columns, double width, double height);
+  /// The same with pixels that are rectangles, `width` along x and `height` along y [m]; pressures up to `floor` count as 0.
+  static Patch image(std::span<const double> pressures, std::size_t columns, double width, double height, std::optional<double> floor = {});
 
   // Moves are cheap copies; a moved-from patch stays valid.
   Patch(const Patch&) = default;
@@ -129,6 +131,8 @@ class Patch {
   [[nodiscard]] double radius() const noexcept { return radius_; }
   /// The friction factors along x and y, 1 unless `orthotropic`.
   [[nodiscard]] PatchPoint factors() const noexcept { return {mx_, my_}; }
+  /// Of an ellipse those of its law; of an image how much counts as 0. Lines that begin with "note: " or "warning: ".
+  [[nodiscard]] std::vector<std::string> remarks() const;
 
   /// Cost of a wrench with the COR near the patch [ns], measured where a table's costs 9 ns. Compare it with other costs; do not rely on it.
   [[nodiscard]] double nanoseconds() const noexcept;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace limitcurve::patch {
@@ -41,6 +43,7 @@ struct Shape {
   [[nodiscard]] virtual std::vector<PatchPoint> concentrations() const { return {}; }
   /// The law of an ellipse; null for other shapes.
   [[nodiscard]] virtual Law law() const { return nullptr; }
+  [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
 
   PatchPoint centre;          ///< of pressure
   double radius = 0.0;        ///< largest distance from there
@@ -81,7 +84,8 @@ struct Shape {
 std::shared_ptr<Shape> make_points(std::span<const PatchLoad> loads);
 std::shared_ptr<Shape> make_polygon(std::span<const PatchPoint> vertices);
 std::shared_ptr<Shape> make_ellipse(const Law& law, double a, double b);
-std::shared_ptr<Shape> make_image(std::span<const double> pressures, std::size_t columns, double width, double height);
+std::shared_ptr<Shape> make_image(std::vector<double> pressures, std::size_t columns, double width, double height,
+                                  std::optional<double> floor);
 
 /// Points with a radius: |u| becomes √(|u|² + ε²ω²).
 std::shared_ptr<Shape> make_soft_points(std::vector<PatchLoad> loads, double radius);

@@ -139,7 +139,7 @@ class Patch(PatchCase):
         self.refused(f"image:{self.file('i.csv', '')},pixel=1", "i.csv:1:1", "empty")
         self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3' + chr(10))},pixel=1", "i.csv:2:2", "expected 2")
         self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3,x' + chr(10))},pixel=1", "i.csv:2:3")
-        self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3,-4' + chr(10))},pixel=1", "i.csv: a pressure of -4", "offset")
+        self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3,-4' + chr(10))},pixel=1", "i.csv: row 2, column 2: a pressure of -4", "offset")
         self.refused(f"image:{self.file('i.csv', '0,0' + chr(10))},pixel=1", "pressure 0")
 
     def test_bad_polygons_name_the_vertex(self):

@@ -84,5 +84,22 @@ TEST(PatchImage, UnderAnyRatioOfFrictionKeepsItsStatedError) {
   }
 }
 
+TEST(PatchImage, NegativePressuresAreNoiseThatTellsItsOwnSize) {
+  std::vector<double> clean(64, 0.0);
+  std::vector<double> noisy(64, -0.004);
+  for (std::size_t i = 16; i < 48; ++i) {
+    if (i % 8 > 1 && i % 8 < 6) clean[i] = noisy[i] = 1.0;
+  }
+  noisy[0] = 0.006;
+  const double moment_ratio = Patch::image(clean, 8, 1e-3).moment_ratio();
+  const Patch patch = Patch::image(noisy, 8, 1e-3).orthotropic(1.0, 2.0).orthotropic(1.0, 0.5);
+  EXPECT_EQ(patch.moment_ratio(), moment_ratio);
+  const std::vector<std::string> lines{"note: 47 pressures are negative, down to -0.004; 48 up to 0.006 count as 0, -1.2 % of the load"};
+  EXPECT_EQ(patch.remarks(), lines);
+  for (double& pressure : noisy) pressure = std::fabs(pressure);
+  EXPECT_EQ(Patch::image(noisy, 8, 1e-3, 1e-3, 0.02).moment_ratio(), moment_ratio);
+  EXPECT_THROW(Patch::image(noisy, 8, 1e-3, 1e-3, -0.02), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace limitcurve::test

@@ -37,7 +37,7 @@ TEST(PatchInput, BadOnesAreNamed) {
   EXPECT_TRUE(has(complaint([] { return Patch::ellipse(hertz(), 1.0, 1e-5); }), "aspect"));
   EXPECT_TRUE(has(complaint([] { return Patch::ellipse(hertz(), 1.0, 1e-3).orthotropic(1.0, 100.0); }), "aspect"));
   EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{1, 2, 3, nan}, 2, 1.0); }), "row 2, column 2: pressure = nan"));
-  EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{1, -2, 3, 1}, 2, 1.0); }), "row 1, column 2: pressure = -2"));
+  EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{1, -2, 3, 1}, 2, 1.0); }), "row 1, column 2: a pressure of -2"));
   EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{0, 0}, 2, 1.0); }), "all 2 pixels have pressure 0"));
   EXPECT_TRUE(has(complaint([] { return Patch::rectangle(1, 1).orthotropic(0, 1); }), "mx = 0"));
 }
