@@ -5,8 +5,8 @@
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/unit_checks.hpp"
 
-#include "godobject/finger_curve.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
+#include "limitcurve/exact_curve.hpp"
 #include "limitcurve/patch/patch.hpp"
 
 #include <algorithm>
@@ -106,7 +106,7 @@ class PatchCommand final : public Subcommand {
     if (wrenches_.empty()) throw std::invalid_argument("--law: goes with --wrenches; for twists see 'limitcurve eval'");
     moment_.check(law_, *results.messages);
     const ContactFriction contact = moment_.with(mu_, law_);
-    const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
+    const ExactCurve curve(law_);
     const RadiusLaw radius_law = contact.radius(curve.moment_ratio());
     std::array<double, 2> loads{infinite, 0.0};  // smallest and largest
     Rows rows(results, {"force", "moment", "hold_load", "slide", "spin", "error"});
@@ -126,11 +126,13 @@ class PatchCommand final : public Subcommand {
       const double radius = radius_law.radius(load);
       const double limit = mu_ * load;
       const UnitWrench wrench{std::fabs(force) / limit, std::fabs(moment) / (limit * radius)};
-      const auto [needed, normal] = curve.along(wrench);
+      const SlipTwist normal = curve.along(wrench).normal;
+      const UnitWrench needed = curve.wrench(normal);
+      const UnitWrench error = law_->evaluate(normal.cor()).error;
       const double power = limit * (wrench.force * normal.slide + wrench.moment * normal.spin);
-      const double miss = std::max(std::fabs(needed.force - wrench.force), std::fabs(needed.moment - wrench.moment) / curve.moment_ratio());
-      rows.row(force, moment, load, std::copysign(normal.slide / power, force), std::copysign(normal.spin / power / radius, moment),
-               miss + curve.error() / std::min(1.0, curve.moment_ratio()));
+      const double miss = std::max(std::fabs(needed.force - wrench.force) + error.force,
+                                   (std::fabs(needed.moment - wrench.moment) + error.moment) / curve.moment_ratio());
+      rows.row(force, moment, load, std::copysign(normal.slide / power, force), std::copysign(normal.spin / power / radius, moment), miss);
     }
     if (loads[1] > 0.0) questions.radii(radius_law, loads);
     results.messages->say(questions.lines());
