@@ -113,10 +113,12 @@ std::vector<std::size_t> places_of_samples(std::span<const PressureSample> rows)
 
 /// The profile with an estimate of its interpolation error, from the change of the wrench if samples are left out (`coarser`). Let Λ(ρ) be the
 /// load within ρ, Λ′ that of the samples that stay, and K(ρ) the force or the moment of a ring of load 1, which is monotone: then the change
-/// is ∫ (Λ − Λ′) dK. In cells between radii ρᵢ, with Dᵢ a safety factor times the largest |Λ − Λ′| in the cell and its neighbours, but ≤ 1:
+/// is ∫ (Λ − Λ′) dK. In cells between radii ρᵢ, with Dᵢ a safety factor times the largest change in the cell and its neighbours, but ≤ 1:
 ///   |Δf| ≤ min(Σ Dᵢ (K_f(ρᵢ) − K_f(ρᵢ₊₁)), s ∫ 2|g − g′| dρ),  |Δm| ≤ Σ Dᵢ (K_m(ρᵢ₊₁) − K_m(ρᵢ)).
 /// This is 0 for pure sliding, and never more than profiles on the disc can differ. The difference of both wrenches would be no estimate: it
-/// changes sign, and is 0 at some s.
+/// changes sign, and is 0 at some s. The largest change is that of |Λ − Λ′| and of √((1 − Λ)² Σ_in δⱼ² + Λ² Σ_out δⱼ²), δⱼ the change of the
+/// load of the gap j: Λ − Λ′ sums them with signs, (1 − Λ) Σ_in δⱼ − Λ Σ_out δⱼ, and if they happen to cancel, then errors of other orders
+/// do not; of independent signs the sum is about the root of the squares.
 class SamplesLaw final : public PressureLawOf<SamplesLaw> {
  public:
   /// `named_rim` 0: the last radius is the rim. `notes` are remarks on the data.
@@ -138,9 +140,27 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     constexpr std::size_t most_cells = 64;
     const std::size_t pieces = breaks_.size() - (profile.back().radius < rim_ ? 2 : 1);  // without the last, which is empty
     const std::size_t pieces_per_cell = (pieces + most_cells - 1) / most_cells;
-    std::vector<double> largest{0.0};
+    struct Within {
+      double load;     ///< Λ at the outer end of a piece
+      double squares;  ///< Σ δⱼ² of the gaps before
+      double largest;  ///< |Λ − Λ′| in the piece
+    };
+    std::vector<Within> within;
     double difference = 0.0;  // Λ − Λ′
+    double load = 0.0;
+    double squares = 0.0;
+    double before_gap = 0.0;
+    const auto end_gap = [&] {
+      squares += (difference - before_gap) * (difference - before_gap);
+      before_gap = difference;
+    };
+    auto gap = coarse.pieces().begin();
     for (std::size_t i = 0; i < pieces; ++i) {
+      if (gap != coarse.pieces().end() && gap->left == breaks_[i]) {
+        end_gap();
+        ++gap;
+      }
+      double largest = std::fabs(difference);
       // The midpoint rule suffices: an estimate needs few digits.
       constexpr int parts = 32;
       const double width = static_cast<double>(breaks_[i + 1] - breaks_[i]) / parts;
@@ -149,13 +169,21 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
         const double change = 2.0 * width * (pieces_(rho) - coarse(rho));
         distance_ += std::fabs(change);
         difference += rho * change;
-        largest.back() = std::max(largest.back(), std::fabs(difference));
+        load += 2.0 * width * rho * pieces_(rho);
+        largest = std::max(largest, std::fabs(difference));
       }
-      if ((i + 1) % pieces_per_cell != 0 && i + 1 < pieces) continue;
-      edges_.push_back(static_cast<double>(breaks_[i + 1]));
-      largest.push_back(std::fabs(difference));
+      within.push_back({load, squares, largest});
     }
-    largest.back() = 0.0;
+    end_gap();
+    std::vector<double> largest;
+    for (std::size_t i = 0; i < pieces; ++i) {
+      if (i % pieces_per_cell == 0) largest.push_back(0.0);
+      const auto [inside, squares_inside, change] = within[i];
+      const double by_chance = std::sqrt((1.0 - inside) * (1.0 - inside) * squares_inside + inside * inside * (squares - squares_inside));
+      largest.back() = std::max({largest.back(), change, by_chance});
+      if ((i + 1) % pieces_per_cell == 0 || i + 1 == pieces) edges_.push_back(static_cast<double>(breaks_[i + 1]));
+    }
+    largest.push_back(0.0);
     // Λ − Λ′ passes through 0: neighbours count, too.
     for (std::size_t i = 0; i < edges_.size(); ++i)
       differences_.push_back(std::min(1.0, safety * std::max({largest[i > 0 ? i - 1 : 0], largest[i], largest[i + 1]})));

@@ -300,11 +300,11 @@ TEST(Samples, PureSlidingIsExactAndNoErrorExceedsWhatProfilesCanDiffer) {
 }
 
 // Radii even, uneven, and close together at the centre but far apart at the rim: a narrow gap beside a wide one tells nothing about the wide one.
-// Of 33 000 such comparisons the bound by |g − g'| was below the true error in 599.
+// In one of the first hundred the changes of load cancel: an estimate by their sum alone is 0.63 of the true error.
 TEST(Samples, OfRandomLawsStateNoErrorBelowTheTrueOne) {
-  std::mt19937_64 random(3);
+  std::mt19937_64 random(140);
   const auto number = [&random] { return std::generate_canonical<double, 53>(random); };
-  for (int i = study_cases(1500, 100); i > 0; --i) {
+  for (int i = study_cases(9000, 100); i > 0; --i) {
     const double n = -0.5 + 3.5 * number();
     const Law truth = power(n);
     const auto count = static_cast<int>(std::lround(7.0 * std::pow(200.0 / 7.0, number())));
