@@ -64,18 +64,13 @@ nb::object array_of(const Column& column) {
   }
 }
 
-/// A message of the command line in the caller's terms.
-std::string named(const std::vector<const PyColumns*>& data, std::string message) {
-  for (const PyColumns* const columns : data) message = columns->named(std::move(message));
-  return message;
-}
-
 /// Appends to `said` what the command says on standard error, also where it fails.
-nb::dict run(const std::vector<std::string>& arguments, const std::vector<const PyColumns*>& data, nb::list said) {
+nb::dict run(const std::vector<std::string>& arguments, nb::list said) {
+  const auto named = &cli::MemoryColumns::named;
   std::vector<Column> columns;
   std::vector<std::string> lines;
   const auto hand_over_lines = [&] {
-    for (std::string& line : lines) said.append(named(data, std::move(line)));
+    for (std::string& line : lines) said.append(named(std::move(line)));
     lines.clear();
   };
   try {
@@ -85,14 +80,16 @@ nb::dict run(const std::vector<std::string>& arguments, const std::vector<const 
     cli::run_command_line(arguments, {.output = output, .columns = &columns, .messages = &messages});
   } catch (const std::exception& error) {
     hand_over_lines();
-    if (dynamic_cast<const std::invalid_argument*>(&error) != nullptr) throw std::invalid_argument(named(data, error.what()));
-    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr || dynamic_cast<const nb::python_error*>(&error) != nullptr) throw;
-    throw std::runtime_error(named(data, error.what()));
+    if (dynamic_cast<const std::invalid_argument*>(&error) != nullptr || dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+        dynamic_cast<const nb::python_error*>(&error) != nullptr) {
+      throw;
+    }
+    throw std::runtime_error(error.what());
   }
   hand_over_lines();
   nb::dict result;
   for (Column& column : columns) {
-    for (std::string& text : column.texts) text = named(data, std::move(text));
+    for (std::string& text : column.texts) text = named(std::move(text));
     result[column.name.c_str()] = array_of(column);
   }
   return result;
@@ -110,12 +107,9 @@ void add_commands(nb::module_& module) {
   nb::class_<PyColumns>(module, "MemoryColumns", "Columns of numbers that the command line reads as a file of that path.")
       .def(nb::init<std::string, const NamedArrays&, std::vector<std::string>>(), nb::arg("name"), nb::arg("columns"), nb::arg("refused"))
       .def_prop_ro("path", &PyColumns::path);
-  module.def(
-      "run", &run, nb::arg("arguments"), nb::arg("data"), nb::arg("said"),
-      "Runs `limitcurve ARGUMENTS` and returns its columns; appends to `said` what it says on standard error.",
-      nb::sig(
-          "def run(arguments: collections.abc.Sequence[str], data: collections.abc.Sequence[MemoryColumns], said: list[str]) -> dict[str, "
-          "numpy.typing.NDArray[typing.Any]]"));
+  module.def("run", &run, nb::arg("arguments"), nb::arg("said"),
+             "Runs `limitcurve ARGUMENTS` and returns its columns; appends to `said` what it says on standard error.",
+             nb::sig("def run(arguments: collections.abc.Sequence[str], said: list[str]) -> dict[str, numpy.typing.NDArray[typing.Any]]"));
   module.def("main", &run_as_program, nb::arg("arguments"), "Runs `limitcurve ARGUMENTS` as a program; returns its exit status.");
 }
 

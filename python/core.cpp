@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
 
+#include "cli/io/csv_reader.hpp"
 #include "godobject/finger/finger_parameter_table.hpp"
 #include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -326,7 +327,7 @@ std::string path_of(nb::handle path) {
 
 /// As nanobind does, but with names of files that are not UTF-8.
 void translate(const std::exception_ptr& thrown, void*) {
-  const auto raise = [](PyObject* type, const char* message) { PyErr_SetObject(type, nb::cast(std::string(message)).ptr()); };
+  const auto raise = [](PyObject* type, const char* message) { PyErr_SetObject(type, nb::cast(cli::MemoryColumns::named(message)).ptr()); };
   try {
     std::rethrow_exception(thrown);
   } catch (const nb::builtin_exception&) {

@@ -4,6 +4,7 @@
 
 #include "cli/io/law_argument.hpp"
 #include "cli/io/stated_error.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 
 #include <nanobind/stl/tuple.h>
@@ -41,7 +42,13 @@ PyLaw of_function(nb::handle pressure) {
   std::vector<PressureSample> rows;
   for (int i = 0; i <= gaps; ++i) {
     const double radius = std::sin(i * std::numbers::pi / (2 * gaps));
-    rows.push_back({radius, number_of(pressure(radius), "pressure")});
+    try {
+      rows.push_back({radius, number_of(pressure(radius), "pressure")});
+    } catch (nb::python_error& error) {
+      if (!error.matches(PyExc_ArithmeticError)) throw;
+      throw std::invalid_argument("pressure at radius " + format_number(radius) + ": " + text_of(nb::borrow(error.value())) +
+                                  ", expected a finite number");
+    }
   }
   return of_samples(std::move(rows), "function", 0.0);
 }

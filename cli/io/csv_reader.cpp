@@ -113,9 +113,12 @@ void MemoryColumns::require_numbers(std::size_t column) const {
   if (!refused_[column].empty()) throw std::invalid_argument(refused_[column]);
 }
 
-std::string MemoryColumns::named(std::string message) const {
-  for (std::size_t at = 0; (at = message.find(path_, at)) != std::string::npos; at += name_.size())
-    message.replace(at, path_.size(), name_);
+std::string MemoryColumns::named(std::string message) {
+  const std::lock_guard lock(in_memory().mutex);
+  for (const auto& [path, one] : in_memory().columns) {
+    for (std::size_t at = 0; (at = message.find(path, at)) != std::string::npos; at += one->name_.size())
+      message.replace(at, path.size(), one->name_);
+  }
   return message;
 }
 

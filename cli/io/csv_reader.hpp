@@ -31,8 +31,8 @@ class MemoryColumns {
 
   /// What no file has.
   [[nodiscard]] const std::string& path() const { return path_; }
-  /// A message with the name instead of the path.
-  [[nodiscard]] std::string named(std::string message) const;
+  /// A message with names instead of the paths of all there are.
+  [[nodiscard]] static std::string named(std::string message);
 
  private:
   friend class CsvReader;

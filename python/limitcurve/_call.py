@@ -59,6 +59,12 @@ class Columns(dict[str, NDArray[Any]]):
             raise AttributeError(f"{name!r} is a column: [{name!r}]")
         raise AttributeError(f"no {name!r}, expected {', '.join(known)}")
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, dict) and list(self) == list(other) and all(np.array_equal(self[name], other[name]) for name in self)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
     def __str__(self) -> str:
         texts = [[name] + [f"{one:.4g}" if isinstance(one, float) else str(one) for one in values.tolist()] for name, values in self.items() if name != "note"]
         columns = [[text.ljust(max(map(len, column))) for text in column] for column in texts]
@@ -152,7 +158,7 @@ class Call:
         """Warnings are Python's; other lines go to `notes`, without it to standard error."""
         said: list[str] = []
         try:
-            return Columns(_core.run(self.words, self.memory, said))
+            return Columns(_core.run(self.words, said))
         except ValueError as error:
             raise ValueError(_in_python(str(error))) from None
         finally:

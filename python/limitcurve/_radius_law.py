@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -19,7 +21,11 @@ class RadiusLaw(str):
     >>> finger = lc.SoftFinger(lc.Table("hertz"), radius_law=lc.RadiusLaw.constant(0.006))
     """
 
-    _columns: Any = None  # in memory, that the text names
+    _memory: Any = None  # the columns that the text names
+    _columns: Any = None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (RadiusLaw, (str(self),)) if self._columns is None else (_of_columns, self._columns)
 
     @_check_keywords
     def __new__(cls, text: str) -> RadiusLaw:
@@ -49,26 +55,29 @@ class RadiusLaw(str):
     @_check_keywords
     def samples(load: ArrayLike, radius: ArrayLike) -> RadiusLaw:
         """Radii [m] measured at loads [N]."""
-        return _of_columns("samples", load=load, radius=radius)
+        return _of_columns("samples", {"load": load, "radius": radius})
 
     @staticmethod
     @_check_keywords
     def moments(load: ArrayLike, moment: ArrayLike) -> RadiusLaw:
         """Moments of pure twists [N m] measured at loads [N]."""
-        return _of_columns("moments", load=load, moment=moment)
+        return _of_columns("moments", {"load": load, "moment": moment})
 
 
 def _of_numbers(kind: str, **numbers: float) -> RadiusLaw:
     for name, number in numbers.items():
         try:
-            numbers[name] = float(number)
-        except (TypeError, ValueError):
+            numbers[name] = math.nan if isinstance(number, (bool, bytes, str)) else float(number)
+        except (TypeError, ValueError, OverflowError):
+            numbers[name] = math.nan
+        if math.isnan(numbers[name]):
             raise ValueError(f"{name}: got {number!r}, expected a number") from None
     return RadiusLaw(f"{kind}:" + ",".join(f"{name}={number!r}" for name, number in numbers.items()))
 
 
-def _of_columns(kind: str, **columns: ArrayLike) -> RadiusLaw:
-    memory = MemoryColumns(kind, *named_columns(kind, columns))
+def _of_columns(kind: str, columns: Mapping[str, ArrayLike]) -> RadiusLaw:
+    arrays, refused = named_columns(kind, columns)
+    memory = MemoryColumns(kind, arrays, refused)
     law = RadiusLaw(f"{kind}:{memory.path}")
-    law._columns = memory
+    law._memory, law._columns = memory, (kind, dict(arrays))
     return law

@@ -40,6 +40,8 @@ def test_laws_and_curves(way, tmp_path):
     for fact in ("checked_error", "profile_error", "tolerance", "law_name", "moment_ratio", "nbytes"):
         assert getattr(other, fact) == getattr(table, fact)
     assert np.array_equal(other.cells, table.cells)
+    radius_law = way(lc.RadiusLaw.samples([1, 2], [0.004, 0.005]))
+    assert table.load_to_hold(1, 0.01, mu=0.5, radius_law=radius_law) == table.load_to_hold(1, 0.01, mu=0.5, radius_law=way(radius_law))
 
 
 @pytest.mark.parametrize("way", WAYS)

@@ -195,6 +195,7 @@ def test_rows_are_attributes_and_tables_print():
     assert choice.chosen.error < 0.1 and choice.ellipse.error == lc.validate("hertz").ellipse.max_error
     assert choice.table.model == "table" and not isinstance(choice.table, float)
     assert set(engines.mujoco["engine"]) == {"mujoco"}
+    assert choice == lc.choose("hertz", 0.1) != lc.choose("hertz", 0.2) and choice != engines
     with pytest.raises(AttributeError, match="^no 'nu', expected mu, mu_r"):
         fit.nu
     with pytest.raises(AttributeError, match="^'value' is a column"):
@@ -218,6 +219,8 @@ def test_objects_from_numbers_stand_for_texts():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         lc.SoftFinger(table, radius_law=lc.RadiusLaw.constant(5)), lc.Patch.rectangle(20, 10)
-    for wrong, told in ((lambda: lc.RadiusLaw.constant("x"), "^a: got 'x'"), (lambda: lc.Patch.rectangle(-1, 1), "x"), (lambda: lc.Law(lambda radius: "x"), "^pressure: got 'x'")):
+    for wrong, told in (*((lambda a=a: lc.RadiusLaw.constant(a), f"^a: got {a!r}, expected a number") for a in ("0.006", True, 10**400)), (lambda: lc.Patch.rectangle(-1, 1), "x"),
+                        (lambda: lc.Law(lambda radius: "x"), "^pressure: got 'x'"), (lambda: lc.Law(lambda radius: 1 / radius), "^pressure at radius 0: .*division by zero"),
+                        (lambda: lc.SoftFinger(table, radius_law=lc.RadiusLaw.samples([1, 1], [1, 2])), "^radius_law: samples: ")):
         with pytest.raises(ValueError, match=told):
             wrong()
