@@ -106,7 +106,7 @@ template <class Real>
 class Attempts {
  public:
   Attempts(const Law& law, TableOptions options)
-      : preferred_bytes_(options.preferred_bytes), name_(options.name.empty() ? law->name() : options.name) {
+      : preferred_bytes_(options.preferred_bytes), name_(options.name.empty() ? law->name() : std::move(options.name)) {
     quick_ = with_profile(quick_source(law, name_), *law);
     fine_ = with_profile(fine_source(law, name_), *law);
     scale_ = std::max(1.0, law->moment_ratio());
@@ -146,7 +146,7 @@ Table table::finest(const Law& law, double tolerance) {
   checked(law);
   const table::Attempts<double> attempts(law, {});
   for (double wanted = tolerance; wanted < Table::coarsest_tolerance; wanted *= 10.0) {
-    if (auto table = attempts.table(wanted)) return std::move(*table);
+    if (const auto table = attempts.table(wanted)) return *table;
   }
   return Table::build(law, Table::coarsest_tolerance);
 }

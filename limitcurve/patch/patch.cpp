@@ -65,7 +65,7 @@ PatchFriction Shape::about_origin(const PatchTwist& twist, PatchPoint factors) c
 
 }  // namespace patch
 
-Patch::Patch(std::shared_ptr<const patch::Shape> isotropic) : Patch(isotropic, 1.0, 1.0, isotropic->centre) {}
+Patch::Patch(const std::shared_ptr<const patch::Shape>& isotropic) : Patch(isotropic, 1.0, 1.0, isotropic->centre) {}
 
 Patch::Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my, PatchPoint centre)
     : shape_(std::move(shape)),

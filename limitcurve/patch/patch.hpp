@@ -148,7 +148,7 @@ class Patch {
  private:
   struct Direction;
 
-  explicit Patch(std::shared_ptr<const patch::Shape> isotropic);
+  explicit Patch(const std::shared_ptr<const patch::Shape>& isotropic);
   Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my, PatchPoint centre);
 
   std::shared_ptr<const patch::Shape> shape_;  ///< under isotropic friction: the patch with x times my and y times mx
