@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The command line in the interpreter's process: rows come back as arrays, errors as exceptions with the same message.
 #include "cli/command_line.hpp"
-#include "cli/io/csv_reader.hpp"
 #include "cli/io/descriptor.hpp"
+#include "cli/io/memory_columns.hpp"
 
 #include "python/core.hpp"
 

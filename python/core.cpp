@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
 
-#include "cli/io/csv_reader.hpp"
+#include "cli/io/memory_columns.hpp"
 #include "godobject/finger/finger_parameter_table.hpp"
 #include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/internal/number.hpp"
