@@ -9,6 +9,7 @@
 #include <boost/math/special_functions/ellint_rf.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -172,8 +173,8 @@ class BoostNested {
   double tolerance_;
 };
 
-/// Hermite cubics over equal cells of the spin fraction with the exact curve's slopes, both components from one cell: the most obvious
-/// table. It has no error bound, and equal cells give a large error at the rim.
+/// Hermite cubics over equal cells of the spin fraction with the exact curve's slopes: the most obvious table. A cell's coefficients of force
+/// and moment alternate, so that one vector instruction serves both. It has no error bound, and equal cells give a large error at the rim.
 class EqualHermite {
  public:
   template <class Exact>
@@ -181,8 +182,16 @@ class EqualHermite {
     for (std::size_t i = 0; i < entries; ++i) {
       const SlopedPoint left = exact.point(SlipTwist::of_spin_fraction(static_cast<double>(i) / scale_));
       const SlopedPoint right = exact.point(SlipTwist::of_spin_fraction(static_cast<double>(i + 1) / scale_));
-      cells_.push_back({cubic(left.wrench.force, right.wrench.force, left.slope.force / scale_, right.slope.force / scale_),
-                        cubic(left.wrench.moment, right.wrench.moment, left.slope.moment / scale_, right.slope.moment / scale_)});
+      Cell& cell = cells_.emplace_back();
+      for (double UnitWrench::*const part : {&UnitWrench::force, &UnitWrench::moment}) {
+        const double rise = right.wrench.*part - left.wrench.*part;
+        const double slope = left.slope.*part / scale_;
+        const double next = right.slope.*part / scale_;
+        cell[0].*part = left.wrench.*part;
+        cell[1].*part = slope;
+        cell[2].*part = 3.0 * rise - 2.0 * slope - next;
+        cell[3].*part = slope + next - 2.0 * rise;
+      }
     }
   }
 
@@ -192,21 +201,13 @@ class EqualHermite {
     const double place = twist.spin_fraction() * scale_;
     const std::size_t i = std::min(static_cast<std::size_t>(place), cells_.size() - 1);
     const double x = place - static_cast<double>(i);
-    const auto& [f, m] = cells_[i];
-    return {f.a + x * (f.b + x * (f.c + x * f.d)), m.a + x * (m.b + x * (m.c + x * m.d))};
+    const auto& [a, b, c, d] = cells_[i];
+    return {a.force + x * (b.force + x * (c.force + x * d.force)), a.moment + x * (b.moment + x * (c.moment + x * d.moment))};
   }
 
  private:
-  struct Cubic {
-    double a, b, c, d;
-  };
-  struct Cell {
-    Cubic force, moment;
-  };
-  static Cubic cubic(double left, double right, double left_slope, double right_slope) {
-    const double rise = right - left;
-    return {left, left_slope, 3.0 * rise - 2.0 * left_slope - right_slope, left_slope + right_slope - 2.0 * rise};
-  }
+  using Cell = std::array<UnitWrench, 4>;
+
   double scale_;
   std::vector<Cell> cells_;
 };
