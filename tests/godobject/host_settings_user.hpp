@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "tests/godobject/scene/metamorphic/random_scene.hpp"
+#include "tests/godobject/random_scene.hpp"
 
 #include <limits>
 #include <vector>

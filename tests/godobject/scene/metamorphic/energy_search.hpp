@@ -4,7 +4,7 @@
 #include "godobject/scene/passivity.hpp"
 #include "godobject/soft_finger.hpp"
 
-#include "tests/godobject/scene/metamorphic/random_scene.hpp"
+#include "tests/godobject/random_scene.hpp"
 
 #include <algorithm>
 #include <deque>

@@ -3,7 +3,7 @@
 
 #include "godobject/scene/replay.hpp"
 
-#include "tests/godobject/scene/metamorphic/random_scene.hpp"
+#include "tests/godobject/random_scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What holds in every step of a random scene: one to four fingers of random stiffness, friction and radius on a body of random mass that rests,
 // is moved or is free, with every curve and projection on every surface.
-#include "tests/godobject/scene/metamorphic/random_scene.hpp"
+#include "tests/godobject/random_scene.hpp"
 
 #include "godobject/body/grasp.hpp"
 #include "limitcurve/patch/patch.hpp"
