@@ -47,18 +47,18 @@ constexpr std::array all_rings{Rings{8, 4, latitudes_8}, Rings{14, 6, latitudes_
 
 /// Unit vectors, each followed by its opposite.
 std::vector<Triple> directions_of(const Rings& rings) {
-  std::vector<Triple> directions;
+  std::vector<Triple> result;
   for (const double latitude : rings.latitudes) {
     const double b = latitude * (std::numbers::pi / 180.0);
     const int count = latitude == 90.0 ? 1 : latitude == 0.0 ? rings.directions / 2 : rings.directions;
     for (int i = 0; i < count; ++i) {
       const double a = 2.0 * std::numbers::pi * i / rings.directions;
       const Triple one{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
-      directions.push_back(one);
-      directions.push_back({-one[0], -one[1], -one[2]});
+      result.push_back(one);
+      result.push_back({-one[0], -one[1], -one[2]});
     }
   }
-  return directions;
+  return result;
 }
 
 /// The vertices of {p·x ≤ 1 for all planes p}, which is bounded: the points of three planes that no other cuts off.
