@@ -52,7 +52,8 @@ struct Work {
 
  private:
   DevicePose last_;
-  Vector3d force_, moment_;
+  Vector3d force_ = Vector3d::Zero();
+  Vector3d moment_ = Vector3d::Zero();
   bool known_ = false;
 };
 
