@@ -95,6 +95,17 @@ nb::dict run(const std::vector<std::string>& arguments, nb::list said) {
   return result;
 }
 
+/// All that makes a patch; its units have been asked.
+cli::PatchArgument of_numbers(const PyPatch& patch) {
+  cli::PatchArgument made = patch.made_of;
+  made.text.clear();
+  for (const auto& [mx, my] : patch.multiplied_by) {
+    made.mx *= mx;
+    made.my *= my;
+  }
+  return made;
+}
+
 /// Does the same as main().
 int run_as_program(const std::vector<std::string>& arguments) {
   const nb::gil_scoped_release release;
@@ -107,6 +118,9 @@ void add_commands(nb::module_& module) {
   nb::class_<PyColumns>(module, "MemoryColumns", "Columns of numbers that the command line reads as a file of that path.")
       .def(nb::init<std::string, const NamedArrays&, std::vector<std::string>>(), nb::arg("name"), nb::arg("columns"), nb::arg("refused"))
       .def_prop_ro("path", &PyColumns::path);
+  nb::class_<cli::MemoryPatch>(module, "MemoryPatch", "A patch that the command line reads as a description of that path.")
+      .def("__init__", [](cli::MemoryPatch* self, const PyPatch& patch) { new (self) cli::MemoryPatch(patch.words(), of_numbers(patch)); })
+      .def_prop_ro("path", &cli::MemoryPatch::path);
   module.def("run", &run, nb::arg("arguments"), nb::arg("said"),
              "Runs `limitcurve ARGUMENTS` and returns its columns; appends to `said` what it says on standard error.",
              nb::sig("def run(arguments: collections.abc.Sequence[str], said: list[str]) -> dict[str, numpy.typing.NDArray[typing.Any]]"));

@@ -57,6 +57,8 @@ struct PyPatch : Patch {
     there.multiplied_by.emplace_back(mx, my);
     return there;
   }
+  /// Its text, or what its arrays are.
+  [[nodiscard]] std::string words() const;
 };
 
 /// Its name, `ellipse` or `box`, and its semi-axes or limits. ValueError if they are out of range.

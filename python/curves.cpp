@@ -125,7 +125,9 @@ void add_limit_curve(nb::class_<Class>& type) {
       [](const Class& self, const BoundArguments& given) { return loads_to_hold(curve_in(self), given); },
       "The least load [N] that holds friction forces [N] and moments [N m], of any sign; inf if no load does. All numbers broadcast.\n\n"
       "`radius_law` gives the contact radius a(P), as on the command line; or `mu_r` [m/N^gamma] is given as measured, and the moment\n"
-      "limit is mu_r P^(1+gamma). Of a measured pressure lc.run('hold', ...) estimates the error, hold_error.");
+      "limit is mu_r P^(1+gamma): radii a [m] of many contacts are mu_r = mu * moment_ratio * a. Of a measured pressure lc.run('hold', "
+      "...)\n"
+      "estimates the error, hold_error.");
   type.def_prop_ro(
       "moment_ratio", [](const Class& self) { return curve_in(self).moment_ratio(); }, "m0, the unit moment of a pure twist.");
 }

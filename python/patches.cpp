@@ -160,14 +160,14 @@ PyPatch patch_of(const PatchState& state) {
   return patch;
 }
 
-std::string in_words(const PyPatch& self) {
-  const cli::PatchArgument& made = self.made_of;
-  std::string text = made.text.empty() ? made.kind + " of " + std::to_string(made.numbers.size() / made.columns) + " rows" : made.text;
-  for (const auto& [mx, my] : self.multiplied_by) text += ",mx=" + format_number(mx) + ",my=" + format_number(my);
-  return "<Patch " + text + ", m0 " + format_number(self.moment_ratio()) + " m>";
-}
-
 }  // namespace
+
+std::string PyPatch::words() const {
+  std::string text =
+      made_of.text.empty() ? made_of.kind + " of " + std::to_string(made_of.numbers.size() / made_of.columns) + " rows" : made_of.text;
+  for (const auto& [mx, my] : multiplied_by) text += ",mx=" + format_number(mx) + ",my=" + format_number(my);
+  return text;
+}
 
 void add_patches(nb::module_& module) {
   nb::class_<PyPatch> type(
@@ -256,7 +256,7 @@ void add_patches(nb::module_& module) {
                          "holds, about the origin; so does V.T @ x with x >= 0 and sum(x) <= mu N. n is the largest of 8, 14, 32, 62, 128 "
                          "that fits in `rows`.\n"
                          "The share is the polytope's radius over the limit surface's, in the worst direction.");
-  type.def("__repr__", &in_words)
+  type.def("__repr__", [](const PyPatch& self) { return "<Patch " + self.words() + ", m0 " + format_number(self.moment_ratio()) + " m>"; })
       .def_prop_ro("moment_ratio", &Patch::moment_ratio, "m0: the moment of a pure spin over mu P [m].")
       .def_prop_ro("radius", &Patch::radius, "Largest distance of a point from the centre of pressure [m].")
       .def_prop_ro(

@@ -15,7 +15,7 @@ class MemoryColumns {
   /// numbers has none, and in `refused` the complaint for who reads it; else that is empty.
   MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers,
                 std::vector<std::string> refused);
-  ~MemoryColumns();
+  virtual ~MemoryColumns();
   MemoryColumns(const MemoryColumns&) = delete;
   MemoryColumns& operator=(const MemoryColumns&) = delete;
 

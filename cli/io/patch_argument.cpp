@@ -330,6 +330,7 @@ double PatchArgument::across() const {
 }
 
 PatchArgument parse_patch(const std::string& text) {
+  if (const auto* const memory = dynamic_cast<const MemoryPatch*>(MemoryColumns::find(text))) return memory->patch();
   const auto [kind, rest] = split_description(text);
   return with_prefix("patch '" + text + "': ", [&, kind = kind, rest = rest] {
     if (!rest) refuse_kind(kind, {});

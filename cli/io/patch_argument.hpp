@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cli/io/memory_columns.hpp"
 #include "cli/io/messages.hpp"
 
 #include "limitcurve/laws.hpp"
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace limitcurve::cli {
@@ -39,6 +41,17 @@ struct PatchArgument {
  private:
   /// Its longest side [m].
   [[nodiscard]] double across() const;
+};
+
+/// A patch in memory (Python's), which parse_patch finds by its path.
+class MemoryPatch : public MemoryColumns {
+ public:
+  /// `name` stands for the patch in messages and in columns.
+  MemoryPatch(std::string name, PatchArgument patch) : MemoryColumns(std::move(name), {}, {}, {}), patch_(std::move(patch)) {}
+  [[nodiscard]] const PatchArgument& patch() const { return patch_; }
+
+ private:
+  PatchArgument patch_;
 };
 
 /// Reads a patch from a command line: `points:FILE.csv` (columns x,y,load), `polygon:FILE.csv` (x,y), `rectangle:x=0.02,y=0.01` (full

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._core import Law, columns_of, numbers_of
+from ._core import Law, Patch, columns_of, numbers_of
 
 class Row(float):
     """The number in the row's column `value`; all its columns are attributes."""
@@ -60,7 +60,9 @@ class Columns(dict[str, NDArray[Any]]):
         raise AttributeError(f"no {name!r}, expected {', '.join(known)}")
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, dict) and list(self) == list(other) and all(np.array_equal(self[name], other[name]) for name in self)
+        """NaN is as NaN."""
+        same = lambda one, two: np.array_equal(one, two, equal_nan=one.dtype.kind == two.dtype.kind == "f")
+        return isinstance(other, dict) and list(self) == list(other) and all(map(same, self.values(), other.values()))
 
     def __ne__(self, other: object) -> bool:
         return not self == other
@@ -101,7 +103,7 @@ class Call:
             if not isinstance(word, str):
                 raise ValueError(f"arguments: got {word!r}, expected texts")
         self.words = list(words)
-        self.memory: list[_core.MemoryColumns] = []
+        self.memory: list[_core.MemoryColumns | _core.MemoryPatch] = []
 
     def data(self, name: str, value: Data) -> str:
         """The name of a file with the contents of `value`."""
@@ -116,6 +118,12 @@ class Call:
             return value.name
         radius, pressure = value.arrays
         return "samples:" + self._memory(value.name.removeprefix("samples:"), [("radius", radius), ("pressure", pressure)], ["", ""])
+
+    def patch(self, value: str | Patch) -> str:
+        if isinstance(value, str):
+            return value
+        self.memory.append(_core.MemoryPatch(value))
+        return self.memory[-1].path
 
     def _memory(self, name: str, columns: list[tuple[str, NDArray[np.float64]]], refused: list[str]) -> str:
         self.memory.append(_core.MemoryColumns(name, columns, refused))
@@ -135,9 +143,9 @@ class Call:
             if not several:
                 raise ValueError(f"{name}: got an empty list, expected one or more")
             for one in several:
-                if not isinstance(one, (str, Law)):
-                    raise ValueError(f"{name}: got {one!r}, expected a str" + " or a Law" * (name == "law"))
-                self.words += [word, self.law(one)]
+                if not isinstance(one, (str, Law if name == "law" else Patch)):
+                    raise ValueError(f"{name}: got {one!r}, expected a str or a {name.capitalize()}")
+                self.words += [word, self.law(one) if name == "law" else self.patch(one)]
         elif name in ("columns", "units") and isinstance(value, Mapping):
             self.words += [word, ",".join(f"{key}={text}" for key, text in value.items())]
         elif name == "read" and not isinstance(value, str):

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._call import Call, Columns, Data
-from ._core import Law, finger_parameter_table
+from ._core import Law, Patch, finger_parameter_table
 
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
@@ -68,7 +68,7 @@ def _run(words: list[str], options: dict[str, Any], notes: list[str] | None = No
 def validate(
     law: str | Law | Sequence[str | Law] | None = None,
     *,
-    patch: str | Sequence[str] | None = None,
+    patch: str | Patch | Sequence[str | Patch] | None = None,
     points: Data | None = None,
     mu: float | None = None,
     load: float | None = None,
@@ -91,7 +91,7 @@ def choose(
     law: str | Law | None = None,
     tolerance: float = 0.01,
     *,
-    patch: str | None = None,
+    patch: str | Patch | None = None,
     scene: bool = False,
     mu: float | None = None,
     radius_law: str | None = None,
@@ -138,7 +138,7 @@ def fit(
     columns: Mapping[str, str] | None = None,
     units: Mapping[str, str] | None = None,
     law: str | Law | None = None,
-    patch: str | None = None,
+    patch: str | Patch | None = None,
     load: float | None = None,
     criterion: str | None = None,
     loss: str | None = None,
@@ -180,7 +180,7 @@ def translate(
     *,
     mu_r: float | None = None,
     gamma: float | None = None,
-    patch: str | None = None,
+    patch: str | Patch | None = None,
     loads: ArrayLike | None = None,
     engine: str | None = None,
     read: str | Sequence[str] | None = None,
@@ -211,7 +211,7 @@ def replay(
     trace: Data,
     law: str | Law | None = None,
     *,
-    patch: str | None = None,
+    patch: str | Patch | None = None,
     point_radius: float | None = None,
     radius_law: str | None = None,
     curve: str | None = None,

@@ -213,14 +213,20 @@ def test_objects_from_numbers_stand_for_texts():
         step = [lc.SoftFinger(table, mu=0.6, radius_law=one).update((0, 0, 0), (0, 0, 1), 0.002, 0.0).load for one in (law, text)]
         assert step[0] == step[1] and lc.translate("hertz", law, mu=0.6, load=2)["value"] == pytest.approx(lc.translate("hertz", text, mu=0.6, load=2)["value"], rel=1e-4)
     assert repr(lc.Patch.rectangle(0.02, 0.01)) == repr(lc.Patch("rectangle:x=0.02,y=0.01"))
+    push = {name: [1.0, 2, 3] for name in ("force_x", "force_y", "moment", "dx", "dy", "dtheta")}
+    points = lc.Patch.points([0, 0.01, 0], [0, 0, 0.02], [1, 2, 3]).orthotropic(2, 1).orthotropic(1, 0.5)
+    for patch, text in ((lc.Patch.rectangle(0.02, 0.01), "rectangle:x=0.02,y=0.01"), (lc.Patch.rectangle(0.02, 0.01).orthotropic(2, 0.5), "rectangle:x=0.02,y=0.01,mx=2,my=0.5")):
+        assert lc.validate(patch=[patch]) == lc.validate(patch=text) and lc.fit("friction", push, patch=patch, quiet=True) == lc.fit("friction", push, patch=text, quiet=True)
+        assert lc.run("hold", patch=patch, force=[1, 2], moment=1e-3, mu=0.6) == lc.run("hold", patch=text, force=[1, 2], moment=1e-3, mu=0.6)
+    assert lc.run("patch", patch=points, twists={"vx": [1], "vy": [1], "omega": [1]})["moment"][0] == points.wrench([1, 1, 1])[2]
     law = lc.Law(lambda radius: 1 - radius**2)
     assert lc.Patch.ellipse(law, 0.004, b=0.002).moment_ratio == pytest.approx(lc.Patch("ellipse:law=parabolic,a=0.004,b=0.002").moment_ratio, rel=1e-9)
     assert np.abs(np.subtract(law.evaluate([0, 0.3, 1, 3]), lc.Law("parabolic").evaluate([0, 0.3, 1, 3]))).max() < 1e-12 and law.profile_error < 1e-12
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        lc.SoftFinger(table, radius_law=lc.RadiusLaw.constant(5)), lc.Patch.rectangle(20, 10)
+        lc.SoftFinger(table, radius_law=lc.RadiusLaw.constant(5)), lc.choose(patch=lc.Patch.rectangle(20, 10))
     for wrong, told in (*((lambda a=a: lc.RadiusLaw.constant(a), f"^a: got {a!r}, expected a number") for a in ("0.006", True, 10**400)), (lambda: lc.Patch.rectangle(-1, 1), "x"),
                         (lambda: lc.Law(lambda radius: "x"), "^pressure: got 'x'"), (lambda: lc.Law(lambda radius: 1 / radius), "^pressure at radius 0: .*division by zero"),
-                        (lambda: lc.SoftFinger(table, radius_law=lc.RadiusLaw.samples([1, 1], [1, 2])), "^radius_law: samples: ")):
+                        (lambda: lc.SoftFinger(table, radius_law=lc.RadiusLaw.samples([1, 1], [1, 2])), "^samples: load of sample 2 = 1 N")):
         with pytest.raises(ValueError, match=told):
             wrong()
