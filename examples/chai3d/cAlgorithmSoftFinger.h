@@ -16,7 +16,8 @@ using namespace chai3d;
 using namespace godobject;
 
 /// CHAI3D's proxy, without its friction, finds the contact. Friction and stiffness are those of the touched object's material; radius law,
-/// twist stiffness and dampers those of the finger.
+/// twist stiffness and dampers those of the finger, which with dampers needs the `timeStep` [s]. Lengths are those of the
+/// world, the hand's times the tool's workspace scale: the tool divides the torque by it.
 class cAlgorithmSoftFinger : public cAlgorithmFingerProxy {
  public:
   cAlgorithmSoftFinger(const FingerCurve& curve, const FingerParameters& skin, double timeStep = 0)
@@ -62,7 +63,7 @@ class cAlgorithmSoftFinger : public cAlgorithmFingerProxy {
   }
   FingerParameters touching(const cMaterial& material) const {
     FingerParameters skin = m_skin;
-    skin.mu = material.getStaticFriction();
+    skin.mu = material.getUseHapticFriction() ? material.getStaticFriction() : 0;
     skin.mu_dynamic = std::min(material.getDynamicFriction(), skin.mu);
     skin.stiffness = material.getStiffness();
     return skin;
@@ -84,7 +85,7 @@ class cToolSoftFinger : public cToolCursor {
   void computeInteractionForces() override {
     m_algorithm->m_deviceRot = m_deviceGlobalRot;
     cToolCursor::computeInteractionForces();
-    setDeviceGlobalTorque(m_algorithm->m_torque);
+    setDeviceGlobalTorque(m_algorithm->m_torque / getWorkspaceScaleFactor());
   }
 
  private:

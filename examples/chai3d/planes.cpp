@@ -5,6 +5,7 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 
+#include "devices/CGenericHapticDevice.h"
 #include "graphics/CPrimitives.h"
 #include "world/CMesh.h"
 #include "world/CWorld.h"
@@ -84,8 +85,15 @@ int main() {
   expect("                    P", -force.z(), 1000 * (0.032 - finger->getProxyGlobalPosition().z()));
   for (int i = 0; i < 1000; ++i) step(0.02 + 2e-5 * i, 0.032, 20 / a * 1e-3);
   expect("                    F/(mu P)", force.x() / (0.4 * force.z()), 1);
+  ceiling->m_material->setUseHapticFriction(false);
+  step(0.04, 0.032, 20 / a * 1e-3);
+  expect("friction is off: F", std::hypot(force.x(), force.y(), torque.z()), 0);
   ceiling->m_material->setStiffness(0);
   step(0.04, 0.032, 20 / a * 1e-3);
   expect("a material of stiffness 0: F", force.length(), 0);
+  tool.setHapticDevice(cGenericHapticDevice::create());
+  tool.setWorkspaceScaleFactor(20);
+  drag(0, 3);
+  expect("20 m of the world per m of the hand: M", -20 * torque.z() / (mu * a * force.z()), 3 * C_PI / 16);
   return wrong;
 }
