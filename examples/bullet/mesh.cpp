@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A soft finger on triangle meshes that move, found by Bullet's collisions.
+// A soft finger on triangle meshes and other bodies that move, found by Bullet's collisions.
 #include "godobject/godobject.hpp"
 
 #include <btBulletCollisionCommon.h>
@@ -21,13 +21,18 @@ static god::BodyPose pose(const btTransform& at) {
 
 /// The deepest of Bullet's contact points, in the world's frame.
 struct Deepest : btCollisionWorld::ContactResultCallback {
+  explicit Deepest(const btCollisionObject& finger) : tip(&finger) {}
+  const btCollisionObject* tip;
   const btCollisionObject* object = nullptr;
   god::Contact contact;
-  btScalar addSingleResult(btManifoldPoint& p, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper* other, int,
+  btScalar addSingleResult(btManifoldPoint& p, const btCollisionObjectWrapper* a, int, int, const btCollisionObjectWrapper* b, int,
                            int) override {
-    if (-p.getDistance() > contact.depth) {
-      object = other->getCollisionObject();
-      contact = {eigen(p.getPositionWorldOnB()), eigen(p.m_normalWorldOnB).normalized(), -p.getDistance()};
+    const bool swapped = b->getCollisionObject() == tip;  // with a compound shape
+    const btCollisionObject* other = (swapped ? a : b)->getCollisionObject();
+    if (other->hasContactResponse() && -p.getDistance() > contact.depth) {
+      object = other;
+      const btVector3 normal = swapped ? -p.m_normalWorldOnB : p.m_normalWorldOnB;
+      contact = {eigen(swapped ? p.getPositionWorldOnA() : p.getPositionWorldOnB()), eigen(normal).normalized(), -p.getDistance()};
     }
     return 0;
   }
@@ -40,7 +45,7 @@ class BallFinger {
 
   /// One step: force and moment on the user in the world's frame.
   god::FingerOutput update(btCollisionWorld& world, const btTransform& device, double dt) {
-    Deepest found;
+    Deepest found(tip_);
     tip_.setWorldTransform(device);
     world.contactTest(&tip_, found);
     const bool changed = std::exchange(object_, found.object) != found.object;
@@ -77,6 +82,13 @@ int main() {
   btCollisionObject slot;
   slot.setCollisionShape(&shape);
   world.addCollisionObject(&slot);
+  btBoxShape box({1, 1, 1});
+  btCompoundShape shapes;
+  shapes.addChildShape(btTransform(btQuaternion::getIdentity(), {0, 0, -1}), &box);
+  btCollisionObject block;  // 5 m away, where floats tell 0.5 um apart
+  block.setCollisionShape(&shapes);
+  block.setWorldTransform(btTransform(btQuaternion::getIdentity(), {5, 0, 0}));
+  world.addCollisionObject(&block);
 
   god::FingerParameters skin;
   skin.mu = 0.6;
@@ -90,10 +102,16 @@ int main() {
   const double slide = ratio(out);
   for (int i = 0; i < 1000; ++i) {  // now the slot moves along, and faster
     slot.setWorldTransform(at(4e-5 * i, 0));
+    world.updateSingleAabb(&slot);
     out = finger.update(world, at(0.02, 0.003), 1e-3);
   }
   const double carried = ratio(out);
   out = finger.update(world, at(0.02, 0.027), 1e-3);  // to the ceiling in one step
   std::printf("F/(mu P): slide %.6f, carried along %.6f, at another wall %.6f; load %.6f N\n", slide, carried, ratio(out), out.load);
-  return std::abs(slide + 1) < 1e-5 && std::abs(carried - 1) < 1e-5 && out.force.norm() == 0 && std::abs(out.load - 2) < 1e-4 ? 0 : 1;
+  const bool lands = out.force.norm() == 0 && std::abs(out.load - 2) < 1e-4;
+  out = finger.update(world, at(5, 0.003), 1e-3);
+  const bool lands_far = out.force.norm() == 0 && (out.whole_force() - Eigen::Vector3d(0, 0, 2)).norm() < 1e-4;
+  for (int i = 0; i < 1000; ++i) out = finger.update(world, at(5 + 2e-5 * i, 0.003), 1e-3);
+  std::printf("          on another body %.6f\n", ratio(out));
+  return std::abs(slide + 1) < 1e-5 && std::abs(carried - 1) < 1e-5 && lands && lands_far && std::abs(ratio(out) + 1) < 1e-4 ? 0 : 1;
 }

@@ -14,8 +14,9 @@ namespace god = limitcurve::godobject;
 struct SoftPad {
   btRigidBody* body;
   god::SoftFinger finger;
+  double angle = 0;
 
-  /// Bullet calls it before each step.
+  /// Bullet calls it before each substep; a force would last until the last of them, an impulse does not.
   static void brake(btDynamicsWorld* world, btScalar dt) {
     auto& pad = *static_cast<SoftPad*>(world->getWorldUserInfo());
     double load = 0;  // by the last step's impulses
@@ -26,8 +27,9 @@ struct SoftPad {
     const btVector3 x = pad.body->getWorldTransform().getOrigin();
     const btQuaternion q = pad.body->getWorldTransform().getRotation();
     const auto out = pad.finger.update_under_load({x.x(), x.y(), 0}, {0, 0, 1}, load, god::Orientation(q.w(), q.x(), q.y(), q.z()), dt);
-    pad.body->applyForce({btScalar(out.force.x()), btScalar(out.force.y()), 0}, {0, 0, -x.z()});
-    pad.body->applyTorque({0, 0, btScalar(out.moment)});
+    pad.body->applyImpulse(dt * btVector3(btScalar(out.force.x()), btScalar(out.force.y()), 0), {0, 0, -x.z()});
+    pad.body->applyTorqueImpulse({0, 0, dt * btScalar(out.moment)});
+    pad.angle += dt * pad.body->getAngularVelocity().z();
   }
 };
 
@@ -62,12 +64,9 @@ int main() {
   const btVector3 from = puck.getWorldTransform().getOrigin();
   puck.setLinearVelocity({btScalar(0.3), 0, 0});
   puck.setAngularVelocity({0, 0, 80});
-  double angle = 0;
-  for (int i = 0; i < 1200; ++i) {
-    world.stepSimulation(btScalar(dt), 1, btScalar(dt));
-    angle += dt * puck.getAngularVelocity().z();
-  }
+  pad.angle = 0;
+  for (int i = 0; i < 300; ++i) world.stepSimulation(btScalar(4 * dt), 4, btScalar(dt));
   const double way = 1e3 * (puck.getWorldTransform().getOrigin().x() - from.x());
-  std::printf("%.3f mm and %.4f rad; its equations of motion with the exact wrench: 10.602 mm and 2.5427 rad\n", way, angle);
-  return std::abs(way - 10.602) < 0.11 && std::abs(angle - 2.5427) < 0.025 ? 0 : 1;
+  std::printf("%.3f mm and %.4f rad; its equations of motion with the exact wrench: 10.602 mm and 2.5427 rad\n", way, pad.angle);
+  return std::abs(way - 10.602) < 0.11 && std::abs(pad.angle - 2.5427) < 0.025 ? 0 : 1;
 }

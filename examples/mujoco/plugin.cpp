@@ -100,6 +100,7 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
     touches.resize(bodies.size()), make_finger(Pair{});  // throws if a parameter is out of range
   }
   Skin& gather(const mjModel* m, const mjData* d, bool with_loads) {
+    model_ = m;  // another one may step the same data
     for (auto& of_body : touches) of_body.clear();
     for (int i = 0; i < d->ncon; ++i) {
       const mjContact& c = d->contact[i];
