@@ -70,7 +70,7 @@ class Finger {
   std::unique_ptr<limitcurve_finger, void (*)(limitcurve_finger*)> handle_;
 };
 
-/// Force [N] and moment [N m] on the user.
+/// Force [N] and moment [N m] on the user. After an update under a load apply `force` and the moment alone.
 inline Vector whole_force(const limitcurve_finger_output& out) noexcept {
   return {{out.normal[0] * out.load + out.force[0], out.normal[1] * out.load + out.force[1], out.normal[2] * out.load + out.force[2]}};
 }

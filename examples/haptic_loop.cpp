@@ -76,8 +76,8 @@ class TouchOfPlane {
   void step(const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation, Eigen::Vector3d& force,
             Eigen::Vector3d& torque) noexcept {
     // The plane through the device's origin: its outward normal is z, the device's is y.
-    const god::FingerOutput output = finger_.update(ground_, {y_up_ * position, y_up_ * orientation}, time_step);
-    force = y_up_.conjugate() * output.whole_force();
+    const god::FingerOutput& output = finger_.update(ground_, {y_up_ * position, y_up_ * orientation}, time_step);
+    force = whole_force();
     torque = y_up_.conjugate() * output.moment_vector();
     // A force beyond the motors' limit is scaled, so its direction stays.
     const double share = std::min(1.0, greatest_force_ / std::max(force.norm(), 1e-300));
@@ -85,6 +85,8 @@ class TouchOfPlane {
     torque *= share;
   }
   [[nodiscard]] god::FingerOutput output() const noexcept { return finger_.output(); }
+  /// In the device's frame, before it is scaled.
+  [[nodiscard]] Eigen::Vector3d whole_force() const noexcept { return y_up_.conjugate() * finger_.output().whole_force(); }
 
  private:
   static constexpr double time_step = 1e-3;  // [s]
@@ -131,7 +133,7 @@ int main(int argc, char** argv) try {
     const god::FingerOutput output = touch.output();
     std::printf("%-28s %-6s load %.3f N  friction %.3f N  moment %+.3f N mm  out of balance with the hand %.1e N\n", what,
                 god::to_string(output.state).data(), output.load, output.force.norm(), 1e3 * output.moment,
-                (device.hand_force() + output.load * Eigen::Vector3d::UnitY() + output.force).norm());
+                (device.hand_force() + touch.whole_force()).norm());
     right = right && output.state == expected;
   };
   device.run(0.5, servo, &touch);

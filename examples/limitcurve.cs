@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Declarations of c/limitcurve.h for C#: a law, a table, a finger and its loop. The structs are plain C structs.
+// Declarations of c/limitcurve.h for C#: a law, a table, a finger and its loop. The structs are plain C structs. On 32-bit
+// Windows each needs CallingConvention.Cdecl.
 using System;
 using System.Runtime.InteropServices;
 
