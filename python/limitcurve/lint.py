@@ -221,8 +221,10 @@ def lint_mjcf(root, rows):
             verdict, note = "unused", "needs condim 4 on either side"
         elif above:
             verdict, note = "hidden", f"beside geoms of priority {max(above)}: their numbers count"
-        elif larger or (s.friction[1] < 0.005 and s.priority == 0):
-            verdict, note = "hidden", f'beside {max(larger, default=0.005):g}: the larger counts; give priority="{s.priority + 1}" or a pair'
+        elif larger:
+            verdict, note = "hidden", f'beside {max(larger):g}: the larger counts; give priority="{s.priority + 1}" or a pair'
+        elif s.friction[1] < 0.005 and s.priority == 0:
+            note = "beside a geom with the default, 0.005, the larger counts"
         at, what = s.at or s.condim_at, f"geom {element.get('name') or element.get('class') or ''}".strip()
         rows.add(at, what, "mujoco.torsional", s.friction[1], s.friction[0], (), verdict, note, len(members))
     for pair, s in scene.pairs:

@@ -34,6 +34,7 @@ SCENES = [
     ("torsion_off.xml", mjcf(BALL.format("tip", 'friction="0.8 0.1 0.0001"')), ["unused"], ["dead"]),
     ("too_large.xml", mjcf(BALL.format("tip", 'friction="0.8 0.1 0.0001" condim="4"')), ["note"], ["too large"]),
     ("hidden.xml", mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4"')), ["hidden"], ["hidden"]),
+    ("alike.xml", mjcf(BALL.format("tip", ""), '<default><geom friction="0.8 0.0024" condim="4"/></default>'), ["note"], ["ok"]),
     ("priority.xml", mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4" priority="1"')), ["note"], ["ok"]),
     ("pair.xml", mjcf(BALL.format("tip", ""), "", '<contact><pair geom1="tip" geom2="floor" friction="0.8 0.8 0.0024"/></contact>'), ["dead"], ["dead"]),
     ("visual.xml", mjcf(BALL.format("tip", 'friction="1 0.3" contype="0" conaffinity="0" condim="4"')), ["no contact"], ["no contact"]),
