@@ -46,14 +46,13 @@ class ExactCurve {
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
     constexpr int search_limit = 64;
     constexpr double enough = 1e-10;
-    constexpr double farthest = 1e300;
     constexpr double most = 1e80;  // from here on m falls like 1/s, and df/ds, which falls like s^-3, would underflow
     direction = direction.magnitudes();
     const double size = (std::max)(direction.force, direction.moment);
     const auto [force, moment] = UnitWrench{direction.force / size, direction.moment / size};
     if (force == 0.0 || moment == 0.0) return {force == 0.0 ? UnitWrench{0.0, moment_ratio_} : UnitWrench{1.0, 0.0}, {force, moment}};
-    double low = 1.0 / farthest;
-    double high = farthest;
+    double low = 1e-300;
+    double high = 1e300;
     // First guess: the ellipse's normal.
     double s = std::clamp(moment_ratio_ * moment_ratio_ * (force / moment), low, high);
     UnitForces<double> here{};

@@ -10,7 +10,7 @@ namespace limitcurve {
 
 namespace {
 
-constexpr Extended half_pi = 1.570796326794896619231321691639751442L;
+constexpr Extended root_half_pi = 1.253314137315500251207882642405522627L;  // sqrt(pi/2)
 
 /// e^{−z}I₀(z), e^{−z}I₁(z) and their difference, for z ≥ 0.
 struct ScaledBessel {
@@ -55,12 +55,11 @@ class GaussianLaw final : public PressureLawOf<GaussianLaw> {
   }
   std::optional<Extended> punch_density(RadialPosition<Extended> at) const noexcept override {
     const Extended ratio = at.radius / sigma_;
-    return 1 / std::sqrt(half_pi) * ratio * ratio * std::exp(-ratio * ratio / 2) / sigma_;
+    return 1 / root_half_pi * ratio * ratio * std::exp(-ratio * ratio / 2) / sigma_;
   }
 
   std::optional<UnitForces<Extended>> closed(Extended s, Slope /*slope*/) const noexcept override {
     const Extended x = s / (2 * sigma_);
-    const Extended root = std::sqrt(half_pi);
     // For large z use the expansion: e^z overflows. NaN takes this branch, too, because Boost's functions do not accept it.
     if (!(x * x <= 40)) {
       const Extended inverse = 1 / x;
@@ -73,7 +72,7 @@ class GaussianLaw final : public PressureLawOf<GaussianLaw> {
     const Extended decay = std::exp(-z);
     const Extended zero = decay * boost::math::cyl_bessel_i(0, z);
     const Extended one = decay * boost::math::cyl_bessel_i(1, z);
-    return UnitForces<Extended>{root * x * (zero + one), sigma_ * root * zero, root / (2 * sigma_) * (zero - one)};
+    return UnitForces<Extended>{root_half_pi * x * (zero + one), sigma_ * root_half_pi * zero, root_half_pi / (2 * sigma_) * (zero - one)};
   }
 
  private:
