@@ -213,7 +213,8 @@ typedef struct limitcurve_contact {
   double normal[3]; /* outward, of unit length */
   double depth;     /* of the finger below the surface [m]; <= 0 outside */
   double twist;     /* of the device about the normal [rad]; may wrap around */
-  int landed;       /* not 0: it left the surface since the last step and landed anew, as from wall to wall, or on a body of another frame */
+  int landed;       /* not 0: the finger left the surface since the last step and landed on it anew, as from one wall to another;
+                       on another body call limitcurve_finger_reset before the step */
 } limitcurve_contact;
 
 /* Result of a step. The whole force on the user is normal * load + force, the moment is about the normal. After an update under a load apply

@@ -68,9 +68,9 @@ struct Contact {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward unit normal there
   double depth = 0.0;                                 ///< d [m], depth of the finger beneath the surface; ≤ 0 outside
   ContactMemory memory = {};                          ///< to be passed to the next contact query
-  /// Whether the finger has left the surface since the last sample and landed anew, as from one wall to another, or on another body, in
-  /// whose frame this sample is: then it touches down, and the springs are relaxed as in a first contact. Your own surface may leave it
-  /// false; then only the first contact touches down.
+  /// Whether the finger has left the surface since the last sample and landed on it anew, as from one wall to another: then it touches down,
+  /// and the springs are relaxed as in a first contact. Your own surface may leave it false; then only the first contact touches down. On
+  /// another body, whose frame is another, call `SoftFinger::reset` before the step.
   bool landed = false;
 };
 

@@ -164,7 +164,7 @@ struct FingerState {
   PatchMemory patch{};
   /// Under a given load: the normal that holds the proxy, within 0.25 rad of the current one (finger/springs.hpp).
   Eigen::Vector3d held_normal = Eigen::Vector3d::UnitZ();
-  bool in_contact = false;   ///< unchanged by invalid samples, but for those that landed anew
+  bool in_contact = false;   ///< unchanged by invalid samples
   double limit_load = 0.0;   ///< P that bounds friction [N]: k_l d plus the damper's force; `FingerOutput::load` without the surface's push
   double trial_force = 0.0;  ///< trial wrench of the last step (eq. 7): force of springs and dampers if the proxy had stayed [N]
   double trial_moment = 0.0;  ///< and their moment [N m]

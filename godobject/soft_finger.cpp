@@ -199,10 +199,7 @@ const FingerOutput& SoftFinger::advance(FingerState& state, const StepInput& inp
   const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && input.time_step >= shortest_time_step &&
                             std::isnan(state.output.depth) == input.load.has_value();
   const Fault fault = accept(state.faults, input, state.sample, parameters_.max_displacement);
-  if (fault != Fault::none) {
-    if (input.contact.landed) state = {};  // the last output may be in another body's frame; the next good sample lands
-    return fade(state, parameters_.fault_decay, fault);
-  }
+  if (fault != Fault::none) return fade(state, parameters_.fault_decay, fault);
   const bool continues = state.in_contact && !input.contact.landed;
   const FingerSample sample = take_sample(state.sample, input, continues);
   if (!input.touches()) return release(state, sample, input);

@@ -71,7 +71,8 @@ void define_step(nb::class_<PyFinger>& type, const char* name, const char* depth
 constexpr const char* update_doc =
     "One step. Input: the contact (surface point [m], outward unit normal, depth [m] below the surface, <= 0 outside), the\n"
     "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers. landed: the finger left the\n"
-    "surface since the last step and landed anew, as from one wall to another, or on another body; then it touches down.\n\n"
+    "surface since the last step and landed on it anew, as from one wall to another; then it touches down. On another body call reset() "
+    "before.\n\n"
     "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state `invalid`, with\n"
     "the reason in `fault`: the last good output is held, and fades.";
 

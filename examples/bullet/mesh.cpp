@@ -55,8 +55,8 @@ class BallFinger {
     }
     const god::BodyPose body = pose(found.object->getWorldTransform());
     god::Contact contact = to_body(body, found.contact);
-    // On another body, or on a wall that faces the other way, the finger lands anew.
-    contact.landed = changed || contact.normal.dot(finger_.output().normal) < 0;
+    if (changed) finger_.reset();
+    contact.landed = contact.normal.dot(finger_.output().normal) < 0;  // on a wall that faces the other way
     return to_world(body, finger_.update(contact, to_body(body, pose(device).orientation), dt));
   }
 

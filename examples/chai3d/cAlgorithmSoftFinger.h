@@ -43,8 +43,8 @@ class cAlgorithmSoftFinger : public cAlgorithmFingerProxy {
     const double depth = cDot(m_proxyGlobalPos - toolPos, normal);
     const BodyPose body{object->getGlobalPos().eigen(), orientation(object->getGlobalRot())};
     Contact contact = to_body(body, Contact{(toolPos + depth * normal).eigen(), normal.eigen(), depth});
-    // On another object, or on a wall that faces the other way, the finger lands anew.
-    contact.landed = changed || contact.normal.dot(m_finger.output().normal) < 0;
+    if (changed) m_finger.reset();
+    contact.landed = contact.normal.dot(m_finger.output().normal) < 0;  // on a wall that faces the other way
     const FingerOutput out = to_world(body, m_finger.update(contact, to_body(body, orientation(m_deviceRot)), m_timeStep));
     m_torque = out.moment_vector();
     return m_lastGlobalForce = out.whole_force();

@@ -60,8 +60,8 @@ template <class Vector>
   return input;
 }
 
-/// Checks that what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and, unless it landed anew (maybe in another
-/// body's frame), within `max_displacement` of the last good position, or of the last refused one. Returns what is not.
+/// Checks that what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and within `max_displacement` of the last
+/// good position, or of the last refused one. Returns what is not.
 [[nodiscard]] inline Fault accept(FingerFaults& faults, const StepInput& input, const FingerSample& last,
                                   double max_displacement) noexcept {
   const Contact& contact = input.contact;
@@ -77,7 +77,7 @@ template <class Vector>
   }
   const Eigen::Vector3d position = contact.point - contact.normal * contact.depth;
   const double limit = max_displacement * max_displacement;
-  if (!faults.seen || contact.landed || (position - last.position()).squaredNorm() <= limit) {
+  if (!faults.seen || (position - last.position()).squaredNorm() <= limit) {
     faults.refused = false;
     faults.seen = true;
     return Fault::none;

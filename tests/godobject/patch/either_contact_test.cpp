@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <utility>
-#include <vector>
 
 namespace limitcurve::godobject::test {
 namespace {
@@ -37,35 +36,6 @@ TEST(SoftFinger, TouchesDownWhereItLandsAnew) {
       EXPECT_EQ(output.force, Eigen::Vector3d::Zero());
       EXPECT_TRUE(same_bits(output.proxy, expected.proxy));
       EXPECT_EQ(output.state, ContactState::stick);
-    }
-  }
-}
-
-// On another body, whose frame is metres away: the steps are those of a new finger, even if the sample that landed is bad.
-TEST(SoftFinger, LandsInAnotherFrameAsANewFinger) {
-  const Eigen::Vector3d n = Eigen::Vector3d::UnitX();
-  const Eigen::Vector3d far(3.0, -2.0, 1.0);
-  const Contact landed{far, Eigen::Vector3d::UnitY(), 0.001, {}, true};
-  const Contact stays{far + Eigen::Vector3d(0.0, 0.0, 1e-4), Eigen::Vector3d::UnitY(), 0.001};
-  Contact bad = landed;
-  bad.normal *= 2.0;
-  const Orientation turned(Eigen::AngleAxisd(1.0, n));
-  for (const SoftFinger& start : {hertz_finger(), SoftFinger(Patch::ellipse(hertz(), 0.01, 0.004), parameters())}) {
-    for (const bool is_bad : {false, true}) {
-      SoftFinger lands = start;
-      SoftFinger fresh = start;
-      lands.update({-0.01 * n, n, 0.001}, Orientation::Identity(), 1e-3);
-      ASSERT_EQ(lands.update({Eigen::Vector3d(-0.01, 0.01, 0.0), n, 0.001}, Orientation::Identity(), 1e-3).state, ContactState::slip);
-      for (const Contact& contact : is_bad ? std::vector{bad, stays, stays} : std::vector{landed, stays}) {
-        const FingerOutput output = lands.update(contact, turned, 1e-3);
-        const FingerOutput expected = fresh.update(contact, turned, 1e-3);
-        EXPECT_EQ(output.fault, expected.fault);
-        EXPECT_EQ(output.state, expected.state);
-        EXPECT_EQ(output.load, expected.load);
-        EXPECT_EQ(output.moment, expected.moment);
-        EXPECT_TRUE(same_bits(output.force, expected.force));
-        EXPECT_TRUE(same_bits(output.proxy, expected.proxy));
-      }
     }
   }
 }
