@@ -366,6 +366,7 @@ NB_MODULE(_core, module) {
   add_laws(module);
   add_curves(module);
   add_fingers(module);
+  add_passivity(module);
   add_batches(module);
   add_patches(module);
   add_commands(module);

@@ -25,6 +25,7 @@ namespace limitcurve::python {
 void add_laws(nb::module_& module);
 void add_curves(nb::module_& module);
 void add_fingers(nb::module_& module);
+void add_passivity(nb::module_& module);
 void add_batches(nb::module_& module);
 void add_patches(nb::module_& module);
 void add_commands(nb::module_& module);
