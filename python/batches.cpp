@@ -97,8 +97,9 @@ class Contacts {
     if (!single) numbers = numbers_of<Real>(values, name);
     if (!single && numbers.dimensions == 0) single = numbers.data[0];
     if (single) {
-      std::vector<Real> copies(count, static_cast<Real>(*single));
-      return {copies, {}, std::move(copies)};
+      Input result{{}, {}, std::vector<Real>(count, static_cast<Real>(*single))};
+      result.all = result.copies;
+      return result;
     }
     if (numbers.dimensions != 1 || numbers.size != count) {
       throw std::invalid_argument(std::string(name) + ": got the shape " + text_of(numbers.array.attr("shape")) + ", expected (" +

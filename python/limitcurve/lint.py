@@ -58,6 +58,8 @@ def read_xml(path):
 
     def start(tag, attributes):
         stack.append(Element(tag, attributes, path, parser.CurrentLineNumber))
+        if len(stack) > 200:
+            stack[-1].refuse("nested in more than 200 elements")
         if tag.startswith("xacro:"):
             stack[-1].refuse(f"expand it first: xacro {path} > FILE.urdf")
         stack[-2].children.append(stack[-1])
@@ -196,41 +198,47 @@ class Mjcf:
 
 
 def lint_mjcf(root, rows):
-    scene, groups, kinds = Mjcf(root), defaultdict(list), defaultdict(dict)
+    scene, groups, kinds = Mjcf(root), defaultdict(list), defaultdict(lambda: defaultdict(list))
     for element, s, body in scene.geoms:
         kind, weld = (s.condim, s.priority, s.contype, s.conaffinity), scene.welds[body]
         groups[(id(s.at or s.condim_at), s.friction, kind)].append((element, s, weld))
-        kinds[kind][weld] = max(s.friction[1], kinds[kind].get(weld, 0.0))
-    tops = {kind: sorted(welds.items(), key=lambda item: -item[1])[:2] for kind, welds in kinds.items()}  # the largest of two bodies
+        kinds[kind][weld].append(s.friction[1])
+    # The smallest and the largest number of two bodies: one of the two is another body than that of a geom.
+    ends = {kind: sorted((min(n), w) for w, n in welds.items())[:2] + sorted((max(n), w) for w, n in welds.items())[-2:] for kind, welds in kinds.items()}
     in_pair = {pair.get(key) for pair, _ in scene.pairs for key in ("geom1", "geom2")}
     torsion = any(s.condim > 3 for _, s in scene.pairs) or any(k[0] > 3 and (k[2] or k[3]) for k in kinds)
     for members in groups.values():
         element, s, weld = members[0]
         if s.at is None and s.condim < 4:
             continue
-        bits = [(k, top) for k, top in tops.items() if k[2] & s.conaffinity or s.contype & k[3]]
-        meets = [(*k[:2], number) for k, top in bits for other, number in top if other != weld or len(members) > 1]
-        above = [k[1] for k in meets if k[1] > s.priority]
-        larger = [k[2] for k in meets if k[1] == s.priority and k[2] > s.friction[1]]
+        own = {weld for _, _, weld in members}
+        meets = [(*k[:2], number) for k, end in ends.items() if k[2] & s.conaffinity or s.contype & k[3] for number, weld in end if own != {weld}]
+        # The geom of the higher priority says condim and friction; of two alike the larger counts.
+        turn = [k for k in meets if (max(k[0], s.condim) if k[1] == s.priority else k[0] if k[1] > s.priority else s.condim) > 3]
+        above = [k[1] for k in turn if k[1] > s.priority]
+        larger = [k[2] for k in turn if k[1] == s.priority and k[2] > s.friction[1]]
+        counts = len(turn) > len(above) + len(larger)
         verdict, note = "", "" if s.at else "the default, not written"
         if not (s.contype or s.conaffinity) and not any(m[0].get("name") in in_pair for m in members):
             verdict, note = "no contact", "contype and conaffinity 0"
         elif not torsion and s.friction[1] != 0.005:
             verdict, note = "dead" if rows.how else "unused", "no geom or pair here has condim 4 or 6"
-        elif s.condim < 4 and not any(k[0] > 3 and k[1] == s.priority for k in meets):
-            verdict, note = "unused", "needs condim 4 on either side"
-        elif above:
+        elif not turn and (meets or s.condim < 4):
+            verdict, note = "unused", "no contact of it has condim 4 or 6"
+        elif above and not counts and not larger:
             verdict, note = "hidden", f"beside geoms of priority {max(above)}: their numbers count"
         elif larger:
-            verdict, note = "hidden", f'beside {max(larger):g}: the larger counts; give priority="{s.priority + 1}" or a pair'
+            verdict, note = "hidden" * (not counts), f'beside {max(larger):g} the larger counts; give priority="{s.priority + 1}" or a pair'
         elif s.friction[1] < 0.005 and s.priority == 0:
             note = "beside a geom with the default, 0.005, the larger counts"
         at, what = s.at or s.condim_at, f"geom {element.get('name') or element.get('class') or ''}".strip()
         rows.add(at, what, "mujoco.torsional", s.friction[1], s.friction[0], (), verdict, note, len(members))
+    turning = {element.get("name") for element, s, _ in scene.geoms if s.condim > 3}
     for pair, s in scene.pairs:
-        if s.at or s.condim > 3:
-            dead = s.condim_at is None and s.friction[2] != 0.005
-            at, what = s.at or s.condim_at, f"pair {pair.get('geom1')} {pair.get('geom2')}"
+        ends_torsion = not s.at and s.condim < 4 and bool(turning & {pair.get("geom1"), pair.get("geom2")})
+        if s.at or s.condim > 3 or ends_torsion:
+            dead = s.condim_at is None and (s.friction[2] != 0.005 or ends_torsion)
+            at, what = s.at or s.condim_at or pair, f"pair {pair.get('geom1')} {pair.get('geom2')}"
             verdict, note = "dead" if dead else "unused" if s.condim < 4 else "", "a pair has condim 3 unless it says so, whatever its geoms have"
             rows.add(at, what, "mujoco.pair.torsional", s.friction[2], s.friction[0], (), verdict, note * dead)
 
@@ -272,7 +280,7 @@ def lint_sdf(root, rows):
 
 
 def lint_usda(root, rows):
-    text, number, prim = Path(root.file).read_text(encoding="utf-8"), r"\s*=\s*([-+]?\.?\d[-+.\deE]*)", ""
+    text, number, prim = Path(root.file).read_text(encoding="utf-8", errors="replace"), r"\s*=\s*([-+]?\.?\d[-+.\deE]*)", ""
     unit = re.search(r"^\s*metersPerUnit" + number, text, re.M)
     metre, frictions = float(unit[1]) if unit else 0.01, set(re.findall("physics:dynamicFriction" + number, text))
     mu, condim = float(*frictions) if len(frictions) == 1 else None, max(map(int, re.findall(r"mjc:condim\s*=\s*(\d)", text)), default=3)
@@ -281,7 +289,7 @@ def lint_usda(root, rows):
         prim = named[1] if named else prim
         found = re.match(r"\s*(?:custom\s+|uniform\s+)*(?:float|double|half)\s+([\w:]+)(\.timeSamples)?", row)
         if found and found[1] in USD:
-            at, value = Element(f"prim {prim}", {}, root.file, line), re.fullmatch(number, row[found.end(1):].split("(")[0].rstrip())
+            at, value = Element(f"prim {prim}", {}, root.file, line), re.fullmatch(number, re.split("[(#]", row[found.end(1):])[0].rstrip())
             if value is None:
                 at.refuse(f"{found[1]}: expected a number")
             notes = [f"a unit is {metre:g} m" + ", for want of metersPerUnit" * (unit is None)] if metre != 1 or not unit else []
@@ -303,6 +311,13 @@ def lint(path, rows):
     readers[root.tag](root, rows)
 
 
+def pattern(text):
+    try:
+        return re.compile(text)
+    except re.error as error:
+        raise argparse.ArgumentTypeError(f"got '{text}', expected a regular expression: {error}") from None
+
+
 def main(arguments=None):
     parser = argparse.ArgumentParser(prog="limitcurve.lint", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file")
@@ -311,12 +326,14 @@ def main(arguments=None):
     parser.add_argument("--load", type=float, help="normal load [N]")
     parser.add_argument("--patch", help="a contact that is not round, instead of law, radius law and load")
     parser.add_argument("--mu", type=float, help="friction coefficient, instead of the file's")
-    parser.add_argument("--only", default="", metavar="REGEX", help="only geoms, links and prims whose column `what` matches")
+    parser.add_argument("--only", default="", type=pattern, metavar="REGEX", help="only geoms, links and prims whose column `what` matches")
     given = parser.parse_args(arguments)
     how = {"law": given.law, "radius_law": given.radius_law, "load": given.load} if given.radius_law else {}
     how = {"patch": given.patch} if given.patch else how
     rows = Rows(given.law, given.mu, how)
     try:
+        if given.mu is not None and not given.mu > 0:
+            raise ValueError(f"--mu: got {given.mu:g}, expected > 0")
         lint(given.file, rows)
         found = rows.finish(given.only)
     except (ValueError, OSError) as error:

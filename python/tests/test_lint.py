@@ -34,6 +34,8 @@ SCENES = [
     ("torsion_off.xml", mjcf(BALL.format("tip", 'friction="0.8 0.1 0.0001"')), ["unused"], ["dead"]),
     ("too_large.xml", mjcf(BALL.format("tip", 'friction="0.8 0.1 0.0001" condim="4"')), ["note"], ["too large"]),
     ("hidden.xml", mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4"')), ["hidden"], ["hidden"]),
+    ("bare_pair.xml", mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4" priority="1"'), "", '<contact><pair geom1="tip" geom2="floor"/></contact>'),
+     ["note", "dead"], ["ok", "dead"]),
     ("alike.xml", mjcf(BALL.format("tip", ""), '<default><geom friction="0.8 0.0024" condim="4"/></default>'), ["note"], ["ok"]),
     ("priority.xml", mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4" priority="1"')), ["note"], ["ok"]),
     ("pair.xml", mjcf(BALL.format("tip", ""), "", '<contact><pair geom1="tip" geom2="floor" friction="0.8 0.8 0.0024"/></contact>'), ["dead"], ["dead"]),
@@ -128,3 +130,29 @@ def test_numbers_are_resolved_as_mujoco_does(files, tmp_path):
     assert np.array_equal(np.array(ours), theirs)
     theirs = sorted((*friction, dim) for friction, dim in zip(model.pair_friction, model.pair_dim))  # MuJoCo sorts them by bodies
     assert sorted((*s.friction, s.condim) for _, s in scene.pairs) == theirs
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_what_counts_in_mujocos_contacts(run, seed):
+    mujoco = pytest.importorskip("mujoco")
+    rng = np.random.default_rng(seed)
+    numbers = iter(0.001 + 0.002 * rng.permutation(9))
+
+    def geom():
+        flags = {"condim": [1, 3, 4, 6], "priority": [0, 0, 1, 2], "contype": [1, 1, 2, 3], "conaffinity": [1, 1, 2, 3]}
+        stated = " ".join(f'{name}="{rng.choice(values)}"' for name, values in flags.items() if rng.random() < 0.5)
+        return f'<geom size="0.05" friction="1 {next(numbers):.3f}" {stated}/>\n'
+
+    bodies = "".join(f"<body><freejoint/>{geom()}{geom() * (rng.random() < 0.5)}</body>" for _ in range(3))
+    text = f"<mujoco><worldbody>\n{geom()}{bodies}</worldbody></mujoco>"
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    met, counts = set(), set()  # torsional numbers
+    for contact in data.contact:
+        both = [(model.geom_priority[geom], model.geom_friction[geom][1]) for geom in contact.geom]
+        met |= {number for _, number in both}
+        counts |= {number for rank, number in both if contact.dim > 3 and (rank, number) == max(both)}
+    for row in run({"a.xml": text}, *FINGERTIP)[0]:
+        number = float(row["value"])
+        assert (number in counts) == (row["verdict"] in ("ok", "too large")) or number not in met, (row, text)
