@@ -50,20 +50,6 @@ void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, 
   }
 }
 
-/// Warnings from the residuals, in standard deviations as given or estimated.
-void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& loss, bool with_sigma) {
-  const auto count = static_cast<double>(solution.residuals.size());
-  if (!with_sigma || report.residuals <= report.free_parameters) return;
-  const double scatter =
-      loss.kind != Loss::Kind::squared ? 1.4826 * median_size(solution.residuals) : std::sqrt(internal::residual_variance(solution));
-  const bool large = scatter > 1.0 + 3.0 / std::sqrt(count);
-  report.scatter_refused = large;
-  if (!large && !(scatter < 1.0 - 3.0 / std::sqrt(count))) return;
-  report.warnings.push_back("the scatter is " + format_number(scatter, 3) + " times what the sigmas say: " +
-                            (large ? "outliers, the wrong model, or sigmas that are too small"
-                                   : "are they of one reading? The standard errors are as much too large"));
-}
-
 /// Throws if the samples are all about one centre of rotation, for all their noise says: then they give a single point of the curve, and a
 /// spread along it that is noise would be taken for that of slips.
 void refuse_one_centre(const internal::ContactResiduals::Ray& ray, const Solution& solution, double noise, bool with_sigma, bool robust) {
@@ -151,6 +137,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
                                   format_number(100.0 * relative_error, 3) + " %)");
     }
   }
+  if (layout.gamma) internal::refuse_hidden(parameters.back(), covariance.back());
 
   ContactFit fit{model.name(), {}, solution.residuals, {}, {}};
   if (!preparation.with_sigma && !robust && variance > 0.0) {
@@ -199,7 +186,8 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   internal::set_estimates(fit.report, quantities, jacobian, covariance);
   fit.band = band_of(*curve, layout, covariance, mu, mu_r, log_reference);
   warn(fit.report, *curve, model, options);
-  warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
+  if (layout.gamma) internal::warn_of_end(fit.report, parameters.back(), gamma);
+  internal::warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
 
   if (at_bound || hidden) {
     // Report nothing rather than a wrong number: the data determine neither the shape nor the quantities that depend on it.
@@ -236,7 +224,7 @@ ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& mode
     const ContactPreparation preparation = internal::prepare(samples, with);
     ContactFit fit = internal::fit_prepared(preparation, model, with);
     internal::check_assumptions(fit, samples, model, with);
-    internal::test_scatter(fit, samples, with.gamma);
+    internal::test_scatter(fit, samples, preparation, with);
     return fit;
   });
 }

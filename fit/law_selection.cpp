@@ -90,7 +90,7 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   best.report.note = internal::note_of(best.model + " (best of " + std::to_string(models.size()) + " laws by AICc" + chosen_with +
                                            "; the errors include the choice, but for n and k)",
                                        options, samples.size() - best.report.free_parameters, preparation.with_sigma);
-  internal::test_scatter(best, samples, options.gamma);
+  internal::test_scatter(best, samples, of_all, options);
   if (!rivals.empty()) best.report.warnings.push_back("the data cannot distinguish " + best.model + " from " + rivals);
   if (!ties.empty()) {
     best.report.warnings.push_back(best.model + " explains the samples to the last digit, and so does " + ties +

@@ -129,6 +129,7 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
   const internal::Solution solution = internal::minimise(residuals, parameters, loss, 1e-18);
   const double variance = data.with_sigma ? 1.0 : internal::residual_variance(solution);
   const std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
+  if (fit_gamma) internal::refuse_hidden(parameters.back(), covariance.back());
 
   LoadFit fit{model, {}};
   internal::describe(fit.report, solution);
@@ -143,6 +144,7 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
       {{parameters[0].name, coefficient, gamma == 0.0 && !fit_gamma ? "m" : "m/N^gamma"}, {"gamma", gamma, "1"}}};
   if (fit_gamma) {
     internal::set_estimates(fit.report, quantities, std::array{coefficient, -coefficient * data.log_reference, 0.0, 1.0}, covariance);
+    internal::warn_of_end(fit.report, parameters.back(), gamma);
     const Estimate& estimate = fit.report.at("gamma");
     if (estimate.value < -2.0 * estimate.std_error || estimate.value > 1.0 / 3.0 + 2.0 * estimate.std_error) {
       fit.report.warnings.push_back("gamma = " + format_number(estimate.value, 3) + " is outside 0 to 1/3, the range of solid contacts");
@@ -150,6 +152,7 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
   } else {
     internal::set_estimates(fit.report, quantities, std::array{coefficient, 0.0}, covariance);
   }
+  internal::warn_of_scatter(fit.report, solution, loss, data.with_sigma);
   if (!fit.report.converged) fit.report.warnings.push_back("the minimiser did not converge: " + fit.report.message);
   return fit;
 }

@@ -51,14 +51,21 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
   if (!options.fit_gamma) warn_of_growth(fit.report, options.gamma, gamma, spare, rms);
 }
 
-void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma) {
+void test_scatter(ContactFit& fit, std::span<const Sample> samples, const ContactPreparation& preparation,
+                  const ContactFitOptions& options) {
   constexpr Eigen::Index waves = 4;
   FitReport& report = fit.report;
+  double gamma = options.gamma;
   const double mu = report.estimates[0].value;
   const double mu_r = report.estimates[1].value;
   for (const Estimate& estimate : report.estimates) {
     if (estimate.name == "gamma") gamma = estimate.value;
   }
+  // Without sigmas residuals of the squared loss are in standard deviations, others in the typical error.
+  const auto rows = static_cast<double>(report.residuals);
+  const double unit = options.loss.kind != Loss::Kind::squared
+                          ? preparation.noise
+                          : report.rms * std::sqrt(rows / (rows - static_cast<double>(report.free_parameters)));
   const auto count = static_cast<Eigen::Index>(samples.size() - fit.outliers.size());
   Eigen::MatrixXd columns(count, waves);
   Eigen::VectorXd residuals(count);
@@ -73,8 +80,7 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma
     const double moment_noise = samples[i].sigma_moment / moment;
     if (force_noise > 0.0) curved = std::max({curved, moment_noise * moment_noise / force_noise, force_noise * force_noise / moment_noise});
     // A standard deviation in the normalised plane.
-    const double noise =
-        samples[i].sigma_force > 0.0 ? std::hypot(std::cos(angle) * force_noise, std::sin(angle) * moment_noise) : report.rms;
+    const double noise = samples[i].sigma_force > 0.0 ? std::hypot(std::cos(angle) * force_noise, std::sin(angle) * moment_noise) : unit;
     distances.push_back(fit.residuals[i] * noise);
     if (std::find(fit.outliers.begin(), fit.outliers.end(), i) != fit.outliers.end()) continue;
     for (Eigen::Index k = 0; k < waves; ++k) columns(row, k) = std::cos(2.0 * static_cast<double>(k) * angle) / noise;

@@ -21,11 +21,12 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
 void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options);
 
 /// Tests two more: that rows scatter to both sides of it (none was taken while the finger held), and that the residuals are
-/// noise, not a function of the place on the curve (another law made the samples, or no ellipse). `gamma` is that of the options.
+/// noise, not a function of the place on the curve (another law made the samples, or no ellipse). The fit is of this preparation with these options.
 ///
 /// In the normalised plane the relative distance from the curve is fitted by g(φ) = Σ c_k cos 2kφ, k < 4, φ the polar angle, without gross
 /// outliers. An F test warns of what chance gives in 1 of 500 data sets. What chance gives in 1 of 20 enters the standard errors: g is what the law may be off by, at φ = 0 of mu, at π/2 of mu_r, the difference of ratio and radius.
-void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma);
+void test_scatter(ContactFit& fit, std::span<const Sample> samples, const ContactPreparation& preparation,
+                  const ContactFitOptions& options);
 
 /// The note beside each estimate: the model and its assumptions; `spare` rows more than parameters.
 std::string note_of(const std::string& model, const ContactFitOptions& options, std::size_t spare, bool with_sigma);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace limitcurve::fit::internal {
 
@@ -48,6 +49,31 @@ void warn_of_rows_inside(FitReport& report, std::span<const double> distances) {
   if (static_cast<double>(inside) <= many * static_cast<double>(distances.size())) return;
   report.warnings.push_back(std::to_string(inside) + " of " + std::to_string(distances.size()) +
                             " rows lie inside the curve by more than half of it: taken while the finger held? Fit slips only");
+}
+
+void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& loss, bool with_sigma) {
+  const auto count = static_cast<double>(solution.residuals.size());
+  if (!with_sigma || report.residuals <= report.free_parameters) return;
+  const double scatter =
+      loss.kind != Loss::Kind::squared ? 1.4826 * median_size(solution.residuals) : std::sqrt(residual_variance(solution));
+  const bool large = scatter > 1.0 + 3.0 / std::sqrt(count);
+  report.scatter_refused = large;
+  if (!large && !(scatter < 1.0 - 3.0 / std::sqrt(count))) return;
+  report.warnings.push_back("the scatter is " + format_number(scatter, 3) + " times what the sigmas say: " +
+                            (large ? "outliers, the wrong model, or sigmas that are too small"
+                                   : "are they of one reading? The standard errors are as much too large"));
+}
+
+void refuse_hidden(const Parameter& parameter, double variance) {
+  if (std::sqrt(variance) < 0.5 * (parameter.high - parameter.low)) return;
+  throw std::invalid_argument("not identifiable from these samples: " + parameter.name + " (its standard error is " +
+                              format_number(std::sqrt(variance), 3) + ", more than half of its range, " + format_number(parameter.low) +
+                              " to " + format_number(parameter.high) + "), expected loads that differ more, or less scatter");
+}
+
+void warn_of_end(FitReport& report, const Parameter& parameter, double value) {
+  if (std::min(value - parameter.low, parameter.high - value) > 1e-6 * (parameter.high - parameter.low)) return;
+  report.warnings.push_back(parameter.name + " is at the end of its range, " + format_number(value, 3) + ": the data may ask for more");
 }
 
 void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, double spare, double rms) {

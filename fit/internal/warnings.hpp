@@ -28,6 +28,15 @@ void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& outlier
 /// that were taken while the finger held are no slips.
 void warn_of_rows_inside(FitReport& report, std::span<const double> distances);
 
+/// Warns if the residuals, in standard deviations as given, scatter more or less than those say by more than chance.
+void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& loss, bool with_sigma);
+
+/// Throws if a parameter's standard error is more than half of its range.
+void refuse_hidden(const Parameter& parameter, double variance);
+
+/// Warns if a parameter ends at the end of its range.
+void warn_of_end(FitReport& report, const Parameter& parameter, double value);
+
 /// Adds a warning if `gamma`, fitted with `spare` more rows than parameters and this rms, differs from the assumed gamma by more than
 /// chance gives in one of 2000 data sets (Student's distribution).
 void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, double spare, double rms);

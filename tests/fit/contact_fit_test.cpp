@@ -163,6 +163,16 @@ TEST(ContactFit, RefusesByNameWhatTheSamplesCannotTell) {
   const std::vector<Sample> repeated(30, {1.0, 0.4, 0.001});
   EXPECT_NE(refusal(repeated, law).find("not identifiable"), std::string::npos) << refusal(repeated, law);
 
+  // Loads that hardly differ say nothing of the growth.
+  std::vector<Sample> alike = good;
+  for (std::size_t i = 0; i < alike.size(); ++i) {
+    const double load = i % 2 == 0 ? 4.0 : 4.001;
+    alike[i] = {load, alike[i].force / alike[i].load * load * (1.0 + 0.02 * random.normal()), alike[i].moment / alike[i].load * load};
+  }
+  ContactFitOptions growth;
+  growth.fit_gamma = true;
+  test::expect_mention(test::complaint([&] { fit_contact(alike, law, growth); }), "gamma (its standard error is ");
+
   // Pure slides and pure twists say nothing of what is between.
   std::vector<Sample> ends;
   for (int i = 0; i < 20; ++i) ends.push_back(i % 2 == 0 ? Sample{1.0, 0.7, 0.0} : Sample{1.0, 0.0, 0.0016});

@@ -177,6 +177,22 @@ TEST(LoadFit, WarnsOfGrossOutliersByRowAndOfAGrowthThatWasAssumed) {
   EXPECT_LE(alarms, 4);
 }
 
+TEST(LoadFit, SaysWhatSigmasAndTheRangeOfGammaContradict) {
+  Random random(4);
+  const auto warned = [](const LoadSamples& samples, const char* words) {
+    for (const std::string& warning : fit_load(samples, LoadModel::power).report.warnings) {
+      if (warning.find(words) != std::string::npos) return true;
+    }
+    return false;
+  };
+  LoadSamples samples = make(LoadSamples::Quantity::radius, 2e-3, 0.3, 0.01, true, 20, random);
+  EXPECT_FALSE(warned(samples, "times what the sigmas say"));
+  for (LoadSample& sample : samples.samples) sample.sigma *= 0.1;
+  EXPECT_TRUE(warned(samples, "times what the sigmas say"));
+  EXPECT_FALSE(warned(samples, "end of its range"));
+  EXPECT_TRUE(warned(make(LoadSamples::Quantity::radius, 2e-3, 1.8, 0.01, true, 20, random), "gamma is at the end of its range, 1.5"));
+}
+
 TEST(LoadFit, RefusesByName) {
   Random random(7);
   LoadSamples one_load{LoadSamples::Quantity::radius, {{1.0, 2e-3}, {1.0, 2.1e-3}, {1.0, 1.9e-3}}};

@@ -87,6 +87,30 @@ TEST(Robustness, OneGrossErrorLeavesEstimatesWithinThreeStandardErrors) {
   }
 }
 
+/// A tenth of the rows six times too large: the errors are those of the other rows, and no row is said to lie inside.
+TEST(Robustness, GrossErrorsDoNotWidenTheStandardErrors) {
+  constexpr int sets = 20;
+  const Truth truth{0.7, 0.006};
+  const double mu_r = truth.mu * truth.radius * hertz()->moment_ratio();
+  for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
+    ContactFitOptions options;
+    options.loss = loss;
+    double without = 0.0;
+    double with = 0.0;
+    for (int seed = 0; seed < sets; ++seed) {
+      Random random(static_cast<std::uint64_t>(900 + seed));
+      std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), truth, 60, random);
+      synthetic::disturb(samples, 0.02, truth.mu, mu_r, false, random);
+      without += fit_contact(samples, ContactModel::of(hertz()), options).report.at("mu").std_error;
+      for (std::size_t row = 5; row < 60; row += 10) spoil(samples[row], 2, 6.0);
+      const FitReport report = fit_contact(samples, ContactModel::of(hertz()), options).report;
+      with += report.at("mu").std_error;
+      for (const std::string& warning : report.warnings) EXPECT_EQ(warning.find("inside the curve"), std::string::npos) << warning;
+    }
+    EXPECT_LT(with, 2.0 * without);
+  }
+}
+
 /// The largest deviation of mu and mu_r from the truth, in percent, when `outliers` of the rows are spoilt.
 double worst_percent(const ContactModel& model, const Loss& loss, std::size_t rows, std::size_t outliers, double factor, bool with_sigma,
                      std::uint64_t seed) {
