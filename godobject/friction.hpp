@@ -181,16 +181,15 @@ template <class Real, class Number>
       apply_scalar_friction<Real>(sticking.force * Number(box.force_max), sliding.force * Number(box.force_max),
                                   limits.force_stick_fraction, abs(trial.force), trial.force_rounding, memory.force_slides);
   result.slips = result.force_fraction < one;
-  Number turned = zero;
   result.moment_fraction = zero;
+  Number turned = abs(trial.moment);
   if (limits.has_torsion) {
     result.moment_fraction = apply_scalar_friction<Real>(
         sticking.force * sticking.radius * Number(box.moment_max), sliding.force * sliding.radius * Number(box.moment_max),
         limits.moment_stick_fraction, abs(trial.moment), trial.moment_rounding, memory.moment_slides);
     result.slips = result.slips || result.moment_fraction < one;
-    turned = abs(trial.moment) * (one - result.moment_fraction);
+    turned = turned * (one - result.moment_fraction);
   }
-  // COR distance = slip/turn, from the changes of force and moment.
   const Number slid = abs(trial.force) * (one - result.force_fraction);
   result.cor = select(result.slips, slid / (turned * limits.stiffness_ratio), Number(std::numeric_limits<Real>::quiet_NaN()));
   return result;
@@ -254,7 +253,11 @@ template <class Real, class Number>
   const Number half = Number(largest_trial<Real> / 2);
   const auto is_far = !(limit.force > Number(least_limit<Real>) && unit.force < half && unit.moment < half);
   // Without a load the springs relax, whatever the projection: the slip is the whole trial deflection.
-  if (limits.has_torsion) cor = select(is_far, abs(trial.force) / (abs(trial.moment) * limits.stiffness_ratio), cor);
+  if (limits.has_torsion) {
+    cor = select(is_far, abs(trial.force) / (abs(trial.moment) * limits.stiffness_ratio), cor);
+  } else {  // the proxy turns with the finger
+    cor = abs(trial.force) * (one - result.force_fraction) / (abs(trial.moment) * limits.stiffness_ratio);
+  }
   if (any(is_far && result.slips)) {
     // The fractions are those of the shortened trial.
     const auto of_trial = [&](Number fraction, Number length, Number whole, Number per) {

@@ -255,7 +255,9 @@ Vector3d SoftFinger::centre_of_rotation() const noexcept {
   const Vector3d slide = is_round ? output.force : Vector3d(patch.axis * patch.slip.x() + output.normal.cross(patch.axis) * patch.slip.y());
   const double turn = is_round ? output.moment : patch.slip.z();
   const double size = slide.norm();
-  if (!(output.cor > 0.0) || size == 0.0) return output.proxy + Vector3d::Constant(0.0 * output.cor);
+  if (std::isinf(output.cor)) return Vector3d::Constant(inf);
+  // Without friction nothing tells on which side of the proxy it is.
+  if (!(output.cor > 0.0) || size == 0.0) return output.proxy + Vector3d::Constant(output.cor > 0.0 ? nan : 0.0 * output.cor);
   return output.proxy + output.normal.cross(slide) * (std::copysign(output.cor, turn) / size);
 }
 

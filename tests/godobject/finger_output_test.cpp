@@ -104,6 +104,32 @@ TEST(SoftFinger, TurnsAboutACentreWithoutASlidingForce) {
   }
 }
 
+// Without a limit of the moment, or of both, the proxy turns with the finger, about the centre that its slide and its turn tell.
+TEST(SoftFinger, TurnsAboutACentreWithoutAMomentToo) {
+  for (const double mu : {0.7, 0.0}) {
+    FingerParameters with = parameters();
+    with.mu = mu;
+    with.mu_r = 0.0;
+    for_each_curve(hertz(), [&](const FingerCurve& curve, const std::string& name) {
+      SoftFinger finger(curve, with);
+      FingerOutput last = finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+      for (int i = 1; i < 20; ++i) {
+        const FingerOutput output = finger.update(on_plane(1e-3 * i, 0.0, 0.002), 0.1 * i);
+        if (i > 10) {
+          ASSERT_EQ(output.state, ContactState::slip) << name;
+          EXPECT_NEAR(output.cor, (output.proxy - last.proxy).norm() / 0.1, 1e-9) << name;
+          if (mu > 0.0) {
+            EXPECT_NEAR((finger.centre_of_rotation() - output.proxy).norm(), output.cor, 1e-9) << name;
+          }
+        }
+        last = output;
+      }
+      finger.update(on_plane(0.02, 0.0, 0.002), 0.1 * 19);
+      EXPECT_TRUE((finger.centre_of_rotation().array() == std::numeric_limits<double>::infinity()).all()) << name;
+    });
+  }
+}
+
 // A finger turns about a fixed point: that point is the centre of rotation of its slip, however far the springs give (0.3 to 1.5 mm under
 // 1.5 N).
 TEST(SoftFinger, TellsWhereTheCentreOfRotationIs) {
