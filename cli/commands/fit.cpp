@@ -79,6 +79,7 @@ class Fit final : public Subcommand {
       throw std::invalid_argument("--covariance: only with --data, and not for fit friction");
     if (residuals_ && (data_.empty() || (models[model_] != "law" && models[model_] != "ellipse")))
       throw std::invalid_argument("--residuals: only for a curve that is fitted to the slips of --data, got fit " + models[model_]);
+    tell_idle();
     if (models[model_] == "friction") return write(results, friction(), patch_);
     if (!patch_.empty()) throw std::invalid_argument("--patch: only for fit friction, got fit " + models[model_]);
     if (load_) throw std::invalid_argument("--load: only for fit friction, got fit " + models[model_]);
@@ -142,8 +143,25 @@ class Fit final : public Subcommand {
       for (const std::string& warning : found.warnings) say("warning", warning);
       return found.estimates;
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(data_ + ": " + error.what());
+      throw std::invalid_argument((data_ == "-" ? "standard input" : data_) + ": " + error.what());
     }
+  }
+
+  /// Says which options change nothing.
+  void tell_idle() const {
+    const std::string& model = models[model_];
+    const bool has_data = !data_.empty();
+    const bool of_slips = has_data && model != "load" && model != "friction";
+    std::string idle;
+    const auto ask = [&](const char* option, bool given, bool used) {
+      if (given && !used) idle += (idle.empty() ? "" : ", ") + std::string(option);
+    };
+    ask("--law", law_ != nullptr, !has_data || model == "law" || model == "ratio");
+    ask("--criterion", criterion_ != 1, !has_data);
+    ask("--loss", loss_ != 0, has_data && model != "friction");
+    ask("--gamma", settings_.gamma != 0.0, of_slips);
+    ask("--fit-gamma", settings_.fit_gamma, of_slips);
+    if (!idle.empty()) say("warning", idle + ": without effect on fit " + model + (has_data ? "" : " without --data"));
   }
 
   /// A note or warning that the user must know before using the numbers.

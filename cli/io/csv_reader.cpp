@@ -304,14 +304,17 @@ void CsvReader::find_sources() {
                                   "', expected one column, because only a force is the length of several");
     }
     if (!is_vector && !source.turned) continue;
-    while (!rest.empty()) {
-      const std::string_view name = rest.substr(0, rest.find(':'));
-      rest.remove_prefix(std::min(name.size() + 1, rest.size()));
-      source.places.push_back(place_of(name));
-      if (source.places.back() == missing) throw no_column("'" + std::string(name) + "'");
-      if (memory_ != nullptr) memory_->require_numbers(source.places.back());
+    for (std::size_t begin = 0; begin <= rest.size();) {
+      const std::string_view name = rest.substr(begin, rest.find(':', begin) - begin);
+      begin += name.size() + 1;
+      const std::size_t place = place_of(name);
+      if (place == missing) throw no_column("'" + std::string(name) + "'");
+      if (std::ranges::find(source.places, place) != source.places.end())
+        throw std::invalid_argument("--columns: got '" + own + "=" + in_file + "', expected each column once");
+      source.places.push_back(place);
+      if (memory_ != nullptr) memory_->require_numbers(place);
     }
-    places_[column] = source.places.at(0);
+    places_[column] = source.places.front();
     sources_[column] = std::move(source);
   }
 }
@@ -328,8 +331,9 @@ void CsvReader::find_columns() {
   find_sources();
   if (file_columns_.least_load && (load_ == columns_.size() || places_[load_] == missing))
     throw no_column(load_ == columns_.size() ? "'load'" : "'" + columns_[load_] + "' for --least-load");
+  const bool has_none = std::ranges::all_of(places_, [](std::size_t place) { return place == missing; });
   for (std::size_t column = 0; column < columns_.size(); ++column) {
-    const bool wanted = column < required_ || std::find(renamed_.begin(), renamed_.end(), column) != renamed_.end();
+    const bool wanted = has_none || column < required_ || std::find(renamed_.begin(), renamed_.end(), column) != renamed_.end();
     if (wanted && places_[column] == missing) throw no_column("'" + columns_[column] + "'");
     if (wanted && memory_ != nullptr) memory_->require_numbers(places_[column]);
   }

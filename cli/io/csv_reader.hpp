@@ -63,6 +63,8 @@ class CsvReader {
   [[nodiscard]] std::invalid_argument no_column(const std::string& column) const;
   /// An error at the field of the current row in the i-th column.
   [[nodiscard]] std::invalid_argument complaint(std::size_t column, const std::string& what) const;
+  /// One of the present line.
+  [[nodiscard]] std::invalid_argument complaint_at(std::size_t offset, const std::string& what) const;
 
  private:
   struct Field {
@@ -92,7 +94,6 @@ class CsvReader {
   void find_sources();
   [[nodiscard]] double raw_number(std::size_t column, std::size_t place, const Range& range) const;
   void take(const FileColumns& file_columns);
-  [[nodiscard]] std::invalid_argument complaint_at(std::size_t offset, const std::string& what) const;
 
   const MemoryColumns* memory_ = nullptr;
   std::size_t rows_ = 0;  ///< that have been read

@@ -40,13 +40,17 @@ struct Quantity {
   const std::vector<Unit>& units;
 };
 
-/// Calls `take(key, value)` of each item of KEY=VALUE,…, which returns false if it is none.
+/// Calls `take(key, value)` of each item of KEY=VALUE,…, which returns false if it is none. Each key may stand there once.
 template <class Take>
 void for_each_item(std::string_view list, std::string_view expected, const Take& take) {
+  std::vector<std::string_view> keys;
   while (!list.empty()) {
     const std::string_view item = list.substr(0, list.find(','));
     list.remove_prefix(std::min(item.size() + 1, list.size()));
     const std::size_t equals = item.find('=');
+    if (std::ranges::find(keys, item.substr(0, equals)) != keys.end())
+      throw std::invalid_argument("got '" + std::string(item) + "', expected one item of this name, got two");
+    keys.push_back(item.substr(0, equals));
     if (equals == 0 || equals == std::string_view::npos || equals + 1 == item.size() ||
         !take(std::string(item.substr(0, equals)), std::string(item.substr(equals + 1)))) {
       throw std::invalid_argument("got '" + std::string(item) + "', expected " + std::string(expected));

@@ -8,9 +8,9 @@ namespace limitcurve::cli {
 namespace {
 
 /// Of a file whose first columns are load,force,moment,sigma_force,sigma_moment.
-std::vector<fit::Sample> slips(CsvReader& reader, const std::string& file) {
+std::vector<fit::Sample> slips(CsvReader& reader) {
   if (reader.has(3) != reader.has(4)) {
-    throw std::invalid_argument(file + ": got one of the columns sigma_force and sigma_moment, expected both or none");
+    throw reader.complaint_at(0, "got one of the columns sigma_force and sigma_moment, expected both or none");
   }
   std::vector<fit::Sample> samples;
   while (reader.next()) {
@@ -28,7 +28,7 @@ std::vector<fit::Sample> slips(CsvReader& reader, const std::string& file) {
 
 std::vector<fit::Sample> read_slip_samples(const std::string& file, const FileColumns& columns) {
   CsvReader reader(file, {"load", "force", "moment"}, {"sigma_force", "sigma_moment"}, columns);
-  return slips(reader, file);
+  return slips(reader);
 }
 
 std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio_data(const std::string& file,
@@ -41,7 +41,7 @@ std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio
   };
   if (reader.has(0) || !reader.has(ratio)) {
     for (const std::size_t column : {0U, 1U, 2U}) require(column);
-    return slips(reader, file);
+    return slips(reader);
   }
   require(ratio + 1);
   std::vector<fit::RatioSample> ratios;
@@ -54,7 +54,9 @@ std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio
 
 fit::LoadSamples read_load_samples(const std::string& file, const FileColumns& columns) {
   CsvReader reader(file, {"load"}, {"radius", "moment", "sigma_radius", "sigma_moment"}, columns, "load,radius or load,moment");
-  if (reader.has(1) == reader.has(2)) throw std::invalid_argument(file + ": expected one of the columns radius and moment beside load");
+  if (reader.has(1) == reader.has(2))
+    throw reader.complaint_at(0,
+                              std::string("got ") + (reader.has(1) ? "both" : "none") + " of the columns radius and moment, expected one");
   const std::size_t value = reader.has(1) ? 1 : 2;
   const std::size_t sigma = value + 2;
   fit::LoadSamples samples{value == 1 ? fit::LoadSamples::Quantity::radius : fit::LoadSamples::Quantity::moment, {}};

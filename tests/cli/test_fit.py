@@ -104,6 +104,14 @@ class Fit(CommandLineTest):
         call = ["fit", "ratio", "--data", slips]
         self.assert_fails(2, ["--columns", "'weight'", "expected one of load,force,moment"], *call, "--columns", "weight=Fz")
         self.assert_fails(2, ["slips.csv", "no column 'Fz'"], *call, "--columns", "load=Fz")
+        self.assertIn("warning: --law, --criterion: without effect on fit ellipse\n",
+                      run("fit", "ellipse", "--data", slips, "--law", "hertz", "--criterion", "inner").stderr)
+        after = self.file("after.csv", "sensor 7\n" + slips.read_text())
+        self.assertEqual(rows("fit", "ratio", "--quiet", "--data", after), rows("fit", "ratio", "--quiet", "--data", slips))
+        for listed, said in (("load=-", "no column ''"), ("force=moment:", "no column ''"), ("force=moment:moment", "each column once"),
+                             ("load=load,load=force", "got two")):
+            self.assert_fails(2, said, *call, "--columns", listed)
+        self.assert_fails(2, "got two", *call, "--units", "force=N,force=mN")
         self.assert_fails(2, ["slips.csv", "no column 'sd'"], *call, "--columns", "sigma_force=sd")
         for bad in ("load", "load=", "=Fz"):
             self.assert_fails(2, ["--columns", f"'{bad}'", "load="], *call, "--columns", bad)
