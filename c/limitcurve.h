@@ -175,7 +175,7 @@ typedef struct limitcurve_finger_parameters {
   double damping;         /* b_l [N s/m] >= 0 */
   double twist_damping;   /* b_r [N m s/rad] >= 0 */
   double rest_margin;     /* >= 0: a sliding finger rests within its limit over 1 + rest_margin (mu/mu_dynamic - 1) */
-  double max_displacement; /* between two samples [m]; a larger jump is invalid once */
+  double max_displacement; /* between two samples [m]; a larger jump is invalid; the next sample counts if it stays there */
   double fault_decay;      /* factor of load, force and moment from one invalid sample to the next, in [0, 1] */
 } limitcurve_finger_parameters;
 
@@ -197,8 +197,8 @@ typedef enum limitcurve_state {
 /* The reason for LIMITCURVE_STATE_INVALID. */
 typedef enum limitcurve_fault {
   LIMITCURVE_FAULT_NONE = 0,
-  LIMITCURVE_FAULT_NOT_FINITE = 1,   /* a NaN or an infinity in the point, the normal, the depth or the twist */
-  LIMITCURVE_FAULT_TOO_FAR = 2,      /* one of them is beyond 1e6 */
+  LIMITCURVE_FAULT_NOT_FINITE = 1,   /* a NaN or an infinity in point, normal, depth, twist or orientation */
+  LIMITCURVE_FAULT_TOO_FAR = 2,      /* the length of (point, depth, twist) is beyond 1e6 */
   LIMITCURVE_FAULT_ORIENTATION = 3,  /* the device's orientation is not of unit length */
   LIMITCURVE_FAULT_NORMAL = 4,       /* the normal is not of unit length */
   LIMITCURVE_FAULT_TIME_STEP = 5,    /* the time step is < 0 or not finite */

@@ -44,7 +44,8 @@ Law parse_law(std::string_view text);
 
 // law->evaluate(s)              reference: unit wrench at s ∈ [0, ∞] with its error bound, at most 1e-14 relative; microseconds to
 //                               half a millisecond
-// Table::build(law, 1e-8)       for control loops: checked_error() ≤ tolerance·max(1, m₀), tolerance 1e-14 to 1e-1; milliseconds
+// Table::build(law, 1e-8)       for control loops: checked_error() ≤ tolerance·max(1, m₀), tolerance 1e-14 to 1e-1; milliseconds,
+//                               by quadrature up to seconds
 // table.wrench(SlipTwist), table.gauge(UnitWrench), table.along(UnitWrench)    nanoseconds, no allocation
 // to_csv(table), to_json(table), to_header(table), read_table_csv(text, name)  table files: table_file.hpp
 
@@ -65,7 +66,7 @@ double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double 
 
 // p_curve(curve, contact, load, points)          the limit curve at one load [N]: force [N], moment [N m] and COR [m] of each point
 // load_to_hold(curve, contact, F, M)             the smallest grip [N] that holds a force and a moment without slip
-// Patch::rectangle(0.02, 0.01).wrench(twist)     contacts that are not round; load_to_hold(patch, mu, wrench): patch.hpp
+// Patch::rectangle(0.02, 0.01).wrench(twist)     contacts that are not round; load_to_hold(patch, mu, wrench): patch/patch.hpp
 // half_spaces(patch, 32)                         inequalities inside the limit surface, for a planner: patch/half_spaces.hpp
 
 }  // namespace limitcurve
