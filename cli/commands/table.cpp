@@ -31,7 +31,7 @@ class Table final : public Subcommand {
   void declare(Options& options) override {
     options.law(law_);
     options.number("--tolerance", tolerance_, positive,
-                   "Largest error of force and moment, in unit wrenches (default 1e-8; of float 1e-6)");
+                   "Largest error of force and moment, in unit wrenches, over m0 if that is above 1 (default 1e-8; of float 1e-6)");
     options.text("-o,--output", file_, "FILE", "File to write", Presence::required);
     options.count(
         "--preferred-bytes", bytes_, 0, limitcurve::Table::max_bytes,

@@ -41,7 +41,7 @@ class Validate final : public Subcommand {
         "with the patch's, over all sliding twists; rms_error is over centres of rotation in 128 directions at 121\n"
         "distances, evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models and their parameter:\n"
         "disc:LAW, the law and radius with the least largest error, and disc-equal-area:LAW: the radius [m]; ellipsoid\n"
-        "sqrt(v^2 + m0^2 w^2): m0 [m].\n"
+        "sqrt((mx vx)^2 + (my vy)^2 + m0^2 w^2): m0 [m].\n"
         "With --points: the errors of points of a limit curve that other code, or a measurement, gave. Columns force,moment of the\n"
         "unit curve (F/(mu P), M/(mu P a)), unless --mu, --load, --radius scale it, and c, the distance of the COR, for\n"
         "max_cor_error, where its wrench differs from the point's by more than 1e-6 of mu P and mu P a; with --patch fx,fy,moment about\n"

@@ -100,9 +100,9 @@ void take_own_radii(std::optional<RadiusLawArgument>& radius_law, bool has_mu_r,
   if (law == nullptr) return;
   std::vector<std::string> remarks;
   if (!radius_law && !has_mu_r && law->rim() > 0.0) {
-    radius_law.emplace("constant:a=" + format_number(law->rim()), std::vector<LoadSample>{});
     remarks.push_back("note: without --radius-law and --mu-r the radii of " + law->name() + " are the contact's, in metres, at every load");
     law = with_own_radii(law);
+    radius_law.emplace("constant:a=" + format_number(law->rim()), std::vector<LoadSample>{});
   }
   messages.say(law->remarks());
   messages.say(remarks);

@@ -191,7 +191,9 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
 
   std::string name() const override { return "samples:" + source_ + (named_rim_ > 0.0 ? ",rim=" + format_number(named_rim_) : ""); }
   double rim() const noexcept override { return rim_; }
-  [[nodiscard]] Law with_own_radii() const { return std::make_shared<SamplesLaw>(profile_, source_, profile_.back().radius, notes_); }
+  [[nodiscard]] Law with_own_radii() const {
+    return std::make_shared<SamplesLaw>(profile_, source_, named_rim_ > 0.0 ? named_rim_ : profile_.back().radius, notes_);
+  }
   std::vector<std::string> remarks() const override {
     constexpr double least_moment_ratio = 0.45;  // Hertz 0.59, a Gaussian of sigma 0.4 0.47; noise and offsets beyond the contact less
     std::vector<std::string> lines = notes_;

@@ -172,6 +172,7 @@ std::shared_ptr<Shape> make_points(std::span<const PatchLoad> loads) {
   }
   if (loads.empty()) throw std::invalid_argument("no points, expected at least one");
   if (pressed.empty()) throw std::invalid_argument("all " + std::to_string(loads.size()) + " points have load 0, expected one of load > 0");
+  require_size(std::span<const PatchLoad>(pressed));
   return std::make_shared<Points>(std::move(pressed));
 }
 

@@ -221,6 +221,7 @@ std::shared_ptr<Shape> make_polygon(std::span<const PatchPoint> vertices) {
   if (vertices.size() < 3) {
     throw std::invalid_argument("a polygon of " + std::to_string(vertices.size()) + " vertices, expected at least 3");
   }
+  require_size(vertices);
   check_simple(vertices);
   return std::make_shared<Polygon>(std::vector<PatchPoint>(vertices.begin(), vertices.end()));
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/patch/patch.hpp"
 #include "limitcurve/pressure_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +20,14 @@ inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// The range of lengths of a patch [m].
 inline constexpr double least_length = 1e-100;
 inline constexpr double most_length = 1e100;
+
+/// Throws if places differ, but by less than `least_length` along both axes: the squares of their distances would vanish.
+template <class Place>
+void require_size(std::span<const Place> places) {
+  double size = 0.0;
+  for (const Place& place : places) size = std::max({size, std::fabs(place.x - places.front().x), std::fabs(place.y - places.front().y)});
+  if (size > 0.0 && size < least_length) throw out_of_range("size", size, "m", "0, or from 1e-100 to 1e100");
+}
 
 /// A kind of patch, under isotropic friction of coefficient 1 and load 1. The caller passes finite twists, not zero, scaled so that no
 /// square overflows.

@@ -66,6 +66,10 @@ class Hold(CommandLineTest):
         named = run("hold", "--law", law + ",rim=0.006", "--radius-law", "constant:a=0.006", *wrench)
         self.assert_close(float(own.stdout.split(",")[-2]), float(named.stdout.split(",")[-2]), 1e-12)
         self.assertIn("lie beyond rim=0.006", named.stderr)
+        # What is called the contact radius changes no newton.
+        for rim in (0.003, 0.006, 0.012):
+            other = run("hold", "--law", f"{law},rim={rim}", *wrench)
+            self.assert_close(float(own.stdout.split(",")[-2]), float(other.stdout.split(",")[-2]), 1e-12)
         last = run("hold", "--law", law, "--radius-law", "constant:a=0.006", *wrench)
         self.assertIn("rim=RADIUS names the radius", last.stderr)
         self.assert_fails(2, "rim", "eval", "--law", law + ",rm=1", "--c", "1")

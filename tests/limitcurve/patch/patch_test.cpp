@@ -31,6 +31,9 @@ TEST(PatchInput, BadOnesAreNamed) {
   EXPECT_TRUE(has(bow_tie, "the edge from vertex 1 to 2 meets the edge from vertex 3 to 4")) << bow_tie;
   // A hole that a slit joins to the outside, and one vertex on another edge.
   EXPECT_TRUE(has(complaint([] { return Patch::polygon(Outline{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}); }), "meets"));
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Outline{{1, 0}, {1 + 1e-200, 0}, {1, 1e-200}}); }), "equal to vertex 1"));
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Outline{{0, 0}, {1e-101, 0}, {0, 1e-101}}); }), "size = 1e-101 m"));
+  EXPECT_TRUE(has(complaint([] { return Patch::points(std::vector<PatchLoad>{{0, 0, 1}, {1e-101, 0, 1}}); }), "size = 1e-101 m"));
   EXPECT_TRUE(has(complaint([] { return Patch::rectangle(0.0, 1.0); }), "x = 0 m"));
   EXPECT_TRUE(has(complaint([] { return Patch::rectangle(1.0, nan); }), "y = nan m"));
   EXPECT_TRUE(has(complaint([] { return Patch::ellipse(hertz(), 1.0, -1.0); }), "b = -1 m"));
