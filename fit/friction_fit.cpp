@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/friction_fit.hpp"
 
+#include "fit/internal/report.hpp"
 #include "fit/internal/warnings.hpp"
 #include "limitcurve/internal/number.hpp"
 
@@ -133,7 +134,8 @@ FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, doubl
                    {"drift", of_exact.drift, of_exact.drift_error, "1"},
                    {"mu_ellipsoid", of_ellipsoid.mean, of_ellipsoid.mean_error, unit},
                    {"drift_ellipsoid", of_ellipsoid.drift, of_ellipsoid.drift_error, "1"}},
-                  suspicious_units(patch, pushes)};
+                  suspicious_units(patch, pushes),
+                  internal::note_of_few_rows(share.size() - 1)};
   for (Estimate& drift : fit.estimates) {
     if (drift.unit != "1" || !(std::fabs(drift.value) > 1.0) || drift.name.find("drift") != 0) continue;
     fit.warnings.push_back(drift.name + ": no estimate, for " + format_number(drift.value, 3) + " +- " + format_number(drift.std_error, 3) +

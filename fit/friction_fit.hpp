@@ -27,6 +27,7 @@ struct PushFriction {
 struct FrictionFit {
   std::vector<Estimate> estimates;
   std::vector<std::string> warnings;  ///< for people: pushes that were left out, quantities that look like another unit
+  std::string note;                   ///< of few pushes: how wide a 95 % interval is; else empty
 };
 
 /// The results of all pushes. Throws like `fit_friction`, but accepts any number of pushes.

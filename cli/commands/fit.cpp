@@ -80,7 +80,10 @@ class Fit final : public Subcommand {
     if (residuals_ && (data_.empty() || (models[model_] != "law" && models[model_] != "ellipse")))
       throw std::invalid_argument("--residuals: only for a curve that is fitted to the slips of --data, got fit " + models[model_]);
     tell_idle();
-    if (models[model_] == "friction") return write(results, friction(), patch_);
+    if (models[model_] == "friction") {
+      const fit::FrictionFit found = friction();
+      return write(results, found.estimates, patch_ + found.note);
+    }
     if (!patch_.empty()) throw std::invalid_argument("--patch: only for fit friction, got fit " + models[model_]);
     if (load_) throw std::invalid_argument("--load: only for fit friction, got fit " + models[model_]);
     const fit::ModelFit found = data_.empty() ? curve_fit() : data_fit();
@@ -127,7 +130,7 @@ class Fit final : public Subcommand {
     rows.finish();
   }
 
-  [[nodiscard]] std::vector<fit::Estimate> friction() {
+  [[nodiscard]] fit::FrictionFit friction() {
     if (patch_.empty()) throw std::invalid_argument("--patch is required to fit 'friction'");
     if (data_.empty()) throw std::invalid_argument("--data is required to fit 'friction'");
     const Patch patch = read_patch(patch_, *messages_);
@@ -139,9 +142,9 @@ class Fit final : public Subcommand {
     }
     const std::vector<fit::Push> pushes = read_pushes(data_, file_columns_);
     try {
-      const fit::FrictionFit found = fit::fit_friction(patch, pushes, load_.value_or(1.0), load_ ? "1" : "N");
+      fit::FrictionFit found = fit::fit_friction(patch, pushes, load_.value_or(1.0), load_ ? "1" : "N");
       for (const std::string& warning : found.warnings) say("warning", warning);
-      return found.estimates;
+      return found;
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument((data_ == "-" ? "standard input" : data_) + ": " + error.what());
     }

@@ -192,7 +192,10 @@ class Fit(CommandLineTest):
 
     def test_every_row_notes_the_model_and_what_was_assumed(self):
         data = self.growing("uniform")
+        pushes = self.file("pushes.csv", "force_x,force_y,moment,dx,dy,dtheta\n" + "0.5,0,0,0.01,0,0\n0.6,0,0,0.01,0,0\n0.55,0,0,0.01,0,0\n")
+        square = ["friction", "--patch", "rectangle:x=0.1,y=0.1", "--data", pushes]
         for call, noted in [(["ellipse", "--law", "hertz"], "least-squares to the exact curve of hertz"),
+                            (square, "rectangle:x=0.1,y=0.1; few rows: a 95 % interval is +- 4.3 std_error"),
                             (["ratio", "--data", data, "--gamma", "0.257"], "hertz; gamma = 0.257 assumed; squared loss; errors proportional to the load assumed"),
                             (["law", "--data", data, "--fit-gamma", "--loss", "huber"],
                              "uniform (best of 8 laws by AICc; the errors include the choice, but for n and k); gamma fitted; huber loss; errors proportional to the load assumed")]:
