@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -428,6 +429,25 @@ std::invalid_argument CsvReader::complaint(std::size_t column, const std::string
 std::invalid_argument CsvReader::complaint_at(std::size_t offset, const std::string& what) const {
   if (memory_ != nullptr) return std::invalid_argument(name_ + ": " + what);
   return std::invalid_argument(name_ + ':' + std::to_string(line_number_) + ':' + std::to_string(offset + 1) + ": " + what);
+}
+
+std::string place_of(const std::string& file, const std::vector<std::string>& columns, std::string_view message) {
+  const std::size_t after_name = message.rfind(file);
+  if (after_name != std::string_view::npos) message.remove_prefix(after_name + file.size());
+  for (const std::string_view word : {"sample ", "vertex ", "point "}) {
+    const std::size_t at = message.find(word);
+    std::size_t row = 0;
+    if (at == std::string_view::npos || file == "-" || MemoryColumns::find(file) != nullptr) continue;
+    std::from_chars(message.data() + at + word.size(), message.data() + message.size(), row);
+    try {
+      CsvReader reader(file, columns);
+      while (row > 0 && reader.next()) --row;
+      return reader.complaint_at(0, "").what();
+    } catch (const std::exception&) {
+      break;  // the rows are from elsewhere
+    }
+  }
+  return file + ": ";
 }
 
 }  // namespace limitcurve::cli

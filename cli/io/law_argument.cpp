@@ -42,13 +42,13 @@ std::vector<LoadSample> read_load_samples(const std::string& file, const char* v
   return samples;
 }
 
-/// Calls `make` and adds the file's name to its errors.
+/// Calls `make` and adds the place in the file to its errors.
 template <class Make>
-auto made_of(const std::string& file, const Make& make) {
+auto made_of(const std::string& file, const std::vector<std::string>& columns, const Make& make, const std::string& how = {}) {
   try {
     return make();
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(file + ": " + error.what());
+    throw std::invalid_argument(place_of(file, columns, error.what()) + how + error.what());
   }
 }
 
@@ -71,13 +71,13 @@ Law law_of(const std::string& text, const std::vector<PressureSample>& profile) 
   const auto measured = measured_profile(text);
   if (!measured) return parse_law(text);
   const auto& [file, rim] = *measured;
-  return made_of(file, [&, &name = file, &radius = rim] { return samples(profile, name, radius); });
+  return made_of(file, {"radius", "pressure"}, [&, &name = file, &radius = rim] { return samples(profile, name, radius); });
 }
 
 RadiusLawArgument::RadiusLawArgument(std::string text, std::vector<LoadSample> rows) : text_(std::move(text)), rows_(std::move(rows)) {
   if (measured_file(text_, "moments")) return;
   const auto file = measured_file(text_, "samples");
-  law_ = file ? made_of(*file, [&] { return RadiusLaw::sampled(rows_); }) : RadiusLaw::parse(text_);
+  law_ = file ? made_of(*file, {"load", "radius"}, [&] { return RadiusLaw::sampled(rows_); }) : RadiusLaw::parse(text_);
 }
 
 RadiusLaw RadiusLawArgument::of(double mu, const Law& law) const {
@@ -86,8 +86,9 @@ RadiusLaw RadiusLawArgument::of(double mu, const Law& law) const {
 
 RadiusLaw RadiusLawArgument::of(double mu, double moment_ratio) const {
   if (law_) return *law_;
-  return made_of(*measured_file(text_, "moments") + ": as radii, a = moment/(m0 mu load)",
-                 [&] { return RadiusLaw::of_moments(rows_, mu, moment_ratio); });
+  return made_of(
+      *measured_file(text_, "moments"), {"load", "moment"}, [&] { return RadiusLaw::of_moments(rows_, mu, moment_ratio); },
+      "as radii, a = moment/(m0 mu load): ");
 }
 
 RadiusLawArgument read_radius_law(const std::string& text) {

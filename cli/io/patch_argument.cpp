@@ -280,10 +280,16 @@ Patch PatchArgument::patch() const {
     for (std::size_t i = 0; i < rows; ++i) points.push_back({row(i)[0], row(i)[1], row(i)[2]});
     return Patch::points(points);
   };
-  return with_prefix(in_quotes(text), [&] {
-    const Patch patch = with_prefix(file.empty() ? file : file + ": ", made);
-    return patch.orthotropic(mx, my);
-  });
+  const auto made_of_file = [&] {
+    try {
+      return made();
+    } catch (const std::invalid_argument& error) {
+      if (file.empty()) throw;
+      const bool has_rows = kind == "points" || kind == "polygon";
+      throw std::invalid_argument((has_rows ? place_of(file, {"x", "y"}, error.what()) : file + ": ") + error.what());
+    }
+  };
+  return with_prefix(in_quotes(text), [&] { return made_of_file().orthotropic(mx, my); });
 }
 
 std::vector<std::string> PatchArgument::remarks(const Patch& made) const {

@@ -88,6 +88,13 @@ class Numbers(CommandLineTest):
         self.assert_fails(2, "--radius", *EVAL, "--radius", "0")
         self.assert_fails(2, "too large", *EVAL, "--load", "1e308", "--mu", "100")
 
+    def test_a_sample_that_the_library_refuses_has_its_line(self):
+        profile = self.file("my sample 9.csv", "# c\nradius,pressure\n0,1\n\n2,0.5\n1,0.4\n3,0.2\n4,0\n")
+        self.assert_fails(2, ["my sample 9.csv:6:1: ", "sample 3"], "eval", "--law", f"samples:{profile}", "--c", "1")
+        patch = ["hold", "--mu", "1", "--force", "1,0", "--moment", "0", "--patch"]
+        self.assert_fails(2, ["bow.csv:2:1: ", "vertex 1"], *patch, f"polygon:{self.file('bow.csv', chr(10).join(('x,y', '0,0', '1,1', '1,0', '0,1')))}")
+        self.assert_fails(2, ["far.csv:3:1: ", "point 2"], *patch, f"points:{self.file('far.csv', chr(10).join(('x,y,load', '0,0,1', '0,1e101,1')))}")
+
     def test_loads_and_centres(self):
         curves = ["--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.5"]
         for value in ["-1", "nan", "inf", "1,,2", ""]:

@@ -57,10 +57,10 @@ class RadiusLaws(CommandLineTest):
         self.assert_fails(2, ["moments.csv: ", "at least 2"], *call(self.moments("1,0.001\n")))
         self.assert_fails(2, ["moments.csv:3:3:", "'-0.001'", "moment"], *call(self.moments("0.5,0.0005\n1,-0.001\n")))
         self.assert_fails(2, ["moments.csv:2:1:", "'0'", "load"], *call(self.moments("0,0.001\n1,0.002\n")))
-        self.assert_fails(2, ["moments.csv: ", "load of sample 2", "greater than the one before"], *call(self.moments("1,0.001\n0.5,0.002\n")))
+        self.assert_fails(2, ["moments.csv:3:1: ", "load of sample 2", "greater than the one before"], *call(self.moments("1,0.001\n0.5,0.002\n")))
         # A moment that falls with the load, or grows faster than its square.
-        self.assert_fails(2, ["moments.csv: ", "exponent before sample 2"], *call(self.moments("0.5,0.002\n1,0.001\n")))
-        self.assert_fails(2, ["moments.csv: ", "exponent before sample 3"], *call(self.moments(good.replace("0.003", "0.3"))))
+        self.assert_fails(2, ["moments.csv:3:1: ", "exponent before sample 2"], *call(self.moments("0.5,0.002\n1,0.001\n")))
+        self.assert_fails(2, ["moments.csv:", ":1: ", "exponent before sample 3"], *call(self.moments(good.replace("0.003", "0.3"))))
         self.assert_fails(2, ["moments.csv: ", "mu"], *call(self.moments(good), "0"))
         radii = self.directory / "radii.csv"
         radii.write_text("load,radius\n1,0.004\n2,0.005\n")
