@@ -439,6 +439,7 @@ std::string place_of(const std::string& file, const std::vector<std::string>& co
     std::size_t row = 0;
     if (at == std::string_view::npos || file == "-" || MemoryColumns::find(file) != nullptr) continue;
     std::from_chars(message.data() + at + word.size(), message.data() + message.size(), row);
+    if (row == 0) continue;
     try {
       CsvReader reader(file, columns);
       while (row > 0 && reader.next()) --row;
