@@ -310,7 +310,7 @@ void CsvReader::find_sources() {
       begin += name.size() + 1;
       const std::size_t place = place_of(name);
       if (place == missing) throw no_column("'" + std::string(name) + "'");
-      if (std::ranges::find(source.places, place) != source.places.end())
+      if (std::find(source.places.begin(), source.places.end(), place) != source.places.end())
         throw std::invalid_argument("--columns: got '" + own + "=" + in_file + "', expected each column once");
       source.places.push_back(place);
       if (memory_ != nullptr) memory_->require_numbers(place);
@@ -332,7 +332,7 @@ void CsvReader::find_columns() {
   find_sources();
   if (file_columns_.least_load && (load_ == columns_.size() || places_[load_] == missing))
     throw no_column(load_ == columns_.size() ? "'load'" : "'" + columns_[load_] + "' for --least-load");
-  const bool has_none = std::ranges::all_of(places_, [](std::size_t place) { return place == missing; });
+  const bool has_none = std::all_of(places_.begin(), places_.end(), [](std::size_t place) { return place == missing; });
   for (std::size_t column = 0; column < columns_.size(); ++column) {
     const bool wanted = has_none || column < required_ || std::find(renamed_.begin(), renamed_.end(), column) != renamed_.end();
     if (wanted && places_[column] == missing) throw no_column("'" + columns_[column] + "'");

@@ -48,7 +48,7 @@ void for_each_item(std::string_view list, std::string_view expected, const Take&
     const std::string_view item = list.substr(0, list.find(','));
     list.remove_prefix(std::min(item.size() + 1, list.size()));
     const std::size_t equals = item.find('=');
-    if (std::ranges::find(keys, item.substr(0, equals)) != keys.end())
+    if (std::find(keys.begin(), keys.end(), item.substr(0, equals)) != keys.end())
       throw std::invalid_argument("got '" + std::string(item) + "', expected one item of this name, got two");
     keys.push_back(item.substr(0, equals));
     if (equals == 0 || equals == std::string_view::npos || equals + 1 == item.size() ||
