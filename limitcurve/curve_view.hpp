@@ -9,6 +9,13 @@
 #include <array>
 #include <cstdint>
 
+// Clang would compile these as functions, and take those of a program with other flags for the library's, too. GCC inlines them.
+#ifdef __clang__
+#define LIMITCURVE_INLINED [[nodiscard, gnu::always_inline]]
+#else
+#define LIMITCURVE_INLINED [[nodiscard]]
+#endif
+
 namespace limitcurve {
 
 /// The support function D(x) of a limit curve along one side, with its derivatives. Inside the rim x = s = c/a and D(x) = H(x, 1); outside
@@ -87,7 +94,7 @@ struct TablePieces {
 
   /// The components and the derivatives of D at x ∈ [0, 1]. `Number` is Real or a pack of it, `beyond_rim` a bool or the pack's mask.
   template <class Number, class Mask>
-  [[nodiscard]] Jet<Number> jet(Mask beyond_rim, Number x) const noexcept {
+  LIMITCURVE_INLINED Jet<Number> jet(Mask beyond_rim, Number x) const noexcept {
     using namespace arithmetic;
     const auto at = place(beyond_rim, x);
     const auto cell = load_cell(cells, at + at, beyond_rim);
@@ -167,7 +174,7 @@ struct CurveView {
 
   /// The support function inside or outside the rim at x ∈ [0, 1]. Not for the box, whose corner has many normals.
   template <class Number, class Mask>
-  [[nodiscard]] Jet<Number> jet(Mask beyond_rim, Number x) const noexcept {
+  LIMITCURVE_INLINED Jet<Number> jet(Mask beyond_rim, Number x) const noexcept {
     using namespace arithmetic;
     if (has_table()) return table.jet(beyond_rim, x);
     // D = √(A²x² + B²), A the semi-axis of the leading component and B the other's.
@@ -283,3 +290,5 @@ template <class Real, class Number>
 #endif
 
 }  // namespace limitcurve
+
+#undef LIMITCURVE_INLINED
