@@ -7,7 +7,8 @@
 /// They are relative errors, unless stated otherwise, at every COR distance from 0 to ∞.
 namespace limitcurve::accuracy {
 
-/// Whether long double, in which references are computed, has more digits than double. It does not on 32-bit ARM, on macOS for arm64, and with MSVC and clang-cl.
+/// Whether long double, in which references are computed, has more digits than double. It does not on 32-bit ARM, on macOS
+/// for arm64, and with MSVC and clang-cl.
 inline constexpr bool has_extended = std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits;
 
 /// `PressureLaw::evaluate`, by closed form and by quadrature. The error that it returns is never below the true error.

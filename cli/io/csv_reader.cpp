@@ -432,12 +432,13 @@ std::invalid_argument CsvReader::complaint_at(std::size_t offset, const std::str
 }
 
 std::string place_of(const std::string& file, const std::vector<std::string>& columns, std::string_view message) {
+  if (size_of(file) == 0) return file + ": ";
   const std::size_t after_name = message.rfind(file);
   if (after_name != std::string_view::npos) message.remove_prefix(after_name + file.size());
   for (const std::string_view word : {"sample ", "vertex ", "point "}) {
     const std::size_t at = message.find(word);
     std::size_t row = 0;
-    if (at == std::string_view::npos || file == "-" || MemoryColumns::find(file) != nullptr) continue;
+    if (at == std::string_view::npos || MemoryColumns::find(file) != nullptr) continue;
     std::from_chars(message.data() + at + word.size(), message.data() + message.size(), row);
     if (row == 0) continue;
     try {

@@ -125,7 +125,7 @@ class CsvReader {
 };
 
 /// Where the sample, vertex or point stands whose number (from 1) a message tells: "FILE:LINE:1: ". It reads the file again; "FILE: " if the
-/// message tells none, or for standard input, which is read once.
+/// message tells none, or for a pipe or standard input, which are read once.
 std::string place_of(const std::string& file, const std::vector<std::string>& columns, std::string_view message);
 
 }  // namespace limitcurve::cli
