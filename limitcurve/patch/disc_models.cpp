@@ -53,7 +53,7 @@ class Comparison {
       }
     }
     const PatchPoint centre = patch_.centre();
-    for (const auto& [x, y] : patch_.round_measures().concentrations) {
+    for (const auto& [x, y, load] : patch_.round_measures().concentrations) {
       const double distance = std::hypot(x - centre.x, y - centre.y);
       if (!(distance > 0.0)) continue;  // pure spin
       concentrations_.push_back({std::atan2(y - centre.y, x - centre.x), std::log10(distance / length_)});

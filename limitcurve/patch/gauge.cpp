@@ -110,10 +110,9 @@ Slip slip_by_columns(const Vector& w, const Support& support) noexcept {
 }
 
 /// Improves a twist of unit power against W, |W| = 1, until the wrench that it needs is parallel to W: Newton's method for the part across
-/// W, with differences of wrenches as slopes. Near a kink of H the steps of the differences shrink; on one nothing improves, and `miss`,
-/// the part that is left, stays.
+/// W, with differences of wrenches as slopes. Near a kink of H the steps of the differences shrink; on one nothing improves.
 template <class Support>
-Vector polished(Vector twist, const Vector& w, const Support& support, double& miss) noexcept {
+Vector polished(Vector twist, const Vector& w, const Support& support) noexcept {
   constexpr double enough = 1e-14;
   constexpr double power_rounding = 1e-13;
   const Vector axis = std::fabs(w.z) < 0.5 ? Vector{0.0, 0.0, 1.0} : Vector{1.0, 0.0, 0.0};
@@ -126,7 +125,7 @@ Vector polished(Vector twist, const Vector& w, const Support& support, double& m
     return {dot(needed, one), dot(needed, other), dot(needed, at)};
   };
   Vector now = across(twist);
-  miss = std::hypot(now.x, now.y);
+  double miss = std::hypot(now.x, now.y);
   for (double step = 1e-6; step > 1e-15 && miss > enough;) {
     const double size = step * std::sqrt(dot(twist, twist));
     const auto slope = [&](const Vector& along) -> PatchPoint {
@@ -193,47 +192,43 @@ PatchSlip Patch::slip(const PatchWrench& wrench) const {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kink = 1e-9;  // more than Newton's method leaves where H is smooth
   constexpr double near = 1e-6;
-  constexpr double rounding = 1e-14;
   const PatchPoint middle = centre();
   const Direction direction(*this, about(middle, wrench));
   const double size = direction.size;
   if (!(size > 0.0 && std::isfinite(size))) return {{nan, nan, nan}, size, nan};
   const auto [first, gauge] = direction.slip();
   const bool spins = moment_ratio_ > 0.0;
-  double miss = 0.0;
-  const Vector twist = spins ? polished(first, direction.w, direction, miss) : first;
+  const Vector twist = spins ? polished(first, direction.w, direction) : first;
   const PatchTwist slip{twist.x / mx_ / size, twist.y / my_ / size, spins ? twist.z / moment_ratio_ / size : 0.0};
   const PatchPoint velocity = patch::velocity_at(slip, -middle.x, -middle.y);
   PatchSlip found{{velocity.x, velocity.y, slip.omega}, size * gauge, nan};
-  const PatchPoint* bears = nullptr;  // any force, and the face that the wrench is on
-  PatchPoint nearest{};
-  if (miss > kink && slip.omega != 0.0) {
-    // With the COR on a point H has a kink: a whole face of wrenches slips about that very point.
+  /// A twist's error, but for the force, up to its load, of the point that `bears` under the COR.
+  const auto error_of = [&](const PatchTwist& at, const PatchLoad* bears) {
+    const PatchFriction needed = about_origin(at);
+    const double fx = needed.wrench.fx - wrench.fx / found.gauge;
+    const double fy = needed.wrench.fy - wrench.fy / found.gauge;
+    const double moment = needed.wrench.moment - wrench.moment / found.gauge;
+    if (bears == nullptr) return needed.error + std::max(std::hypot(fx, fy), spins ? std::fabs(moment) / moment_ratio_ : 0.0);
+    const double more = std::max(mx_, my_) * std::max(std::hypot(fx / mx_, fy / my_) - bears->load, 0.0);
+    return about_origin({at.vx + near * radius_ * at.omega, at.vy, at.omega}).error + more +
+           (std::fabs(moment - (bears->x * fy - bears->y * fx)) + more * std::hypot(bears->x, bears->y)) / moment_ratio_;
+  };
+  found.error = error_of(found.twist, nullptr);
+  if (found.error > kink && slip.omega != 0.0) {
+    // With the COR on a point H has a kink: a whole face of wrenches slips about that very point, and beside it the point's force is lost.
     const PatchPoint cor{middle.x - slip.vy / slip.omega, middle.y + slip.vx / slip.omega};
+    PatchLoad nearest{};
     double distance = std::numeric_limits<double>::infinity();
-    for (const PatchPoint& place : shape_->concentrations()) {
-      const PatchPoint point{place.x / my_, place.y / mx_};
-      const double far = std::hypot(point.x - cor.x, point.y - cor.y);
-      if (far < distance) nearest = point, distance = far;
+    for (const auto& [x, y, load] : round_measures().concentrations) {
+      const double far = std::hypot(x - cor.x, y - cor.y);
+      if (far == distance) nearest.load += load;
+      if (far < distance) nearest = {x, y, load}, distance = far;
     }
-    const double omega = twist.z / moment_ratio_;
-    const Vector about_nearest{mx_ * omega * (nearest.y - middle.y), -my_ * omega * (nearest.x - middle.x), twist.z};
-    const double power = dot(about_nearest, direction.w);
-    if (distance < near * radius_ &&
-        dot(about_nearest, direction(about_nearest)) <= power * (1.0 + rounding) * dot(twist, direction(twist))) {
-      const double rate = slip.omega / power;
-      found.twist = {rate * nearest.y, -rate * nearest.x, rate};
-      bears = &nearest;
-    }
+    const double rate = 1.0 / about({nearest.x, nearest.y}, wrench).moment;
+    const PatchTwist about_nearest{rate * nearest.y, -rate * nearest.x, rate};
+    const double error = error_of(about_nearest, &nearest);
+    if (error < found.error) found = {about_nearest, found.gauge, error};
   }
-  const auto [vx, vy, omega] = found.twist;
-  const PatchFriction needed = about_origin(found.twist);
-  const double fx = needed.wrench.fx - wrench.fx / found.gauge;
-  const double fy = needed.wrench.fy - wrench.fy / found.gauge;
-  const double moment = needed.wrench.moment - wrench.moment / found.gauge - (bears != nullptr ? bears->x * fy - bears->y * fx : 0.0);
-  // Beside the point, whose own force is not the twist's to tell.
-  const double own = bears != nullptr ? about_origin({vx + near * radius_ * omega, vy, omega}).error : needed.error;
-  found.error = own + std::max(bears != nullptr ? 0.0 : std::hypot(fx, fy), spins ? std::fabs(moment) / moment_ratio_ : 0.0);
   return found;
 }
 

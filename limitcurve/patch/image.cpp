@@ -197,9 +197,9 @@ struct Image final : Shape {
         std::min(2.0 * near_columns() + 1.0, static_cast<double>(columns)) * std::min(2.0 * near_rows() + 1.0, static_cast<double>(rows));
     return 30.0 * near + (side_x == side_y ? 1.5 : 8.0) * static_cast<double>(xs.size());
   }
-  [[nodiscard]] std::vector<PatchPoint> concentrations() const override {
-    std::vector<PatchPoint> middles;
-    for (std::size_t i = 0; i < xs.size(); ++i) middles.push_back({xs[i], ys[i]});
+  [[nodiscard]] std::vector<PatchLoad> concentrations() const override {
+    std::vector<PatchLoad> middles;
+    for (std::size_t i = 0; i < xs.size(); ++i) middles.push_back({xs[i], ys[i], 0.0});
     return middles;
   }
   [[nodiscard]] std::vector<std::string> remarks() const override { return notes; }

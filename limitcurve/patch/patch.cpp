@@ -139,8 +139,8 @@ double Patch::nanoseconds() const noexcept {
 }
 
 Patch::RoundMeasures Patch::round_measures() const {
-  std::vector<PatchPoint> concentrations = shape_->concentrations();
-  for (PatchPoint& place : concentrations) place = {place.x / my_, place.y / mx_};
+  std::vector<PatchLoad> concentrations = shape_->concentrations();
+  for (PatchLoad& at : concentrations) at = {at.x / my_, at.y / mx_, at.load};
   // shape_ is stretched: divide its area by the stretch.
   return {shape_->area() / (mx_ * my_), shape_->law() ? shape_->law() : uniform(), std::move(concentrations)};
 }

@@ -119,8 +119,8 @@ class Patch {
   /// points.
   [[nodiscard]] double gauge(const PatchWrench& wrench) const noexcept;
   /// The slip that begins when a wrench [N, N m], about the origin of the coordinates, overcomes friction: the inverse of `about_origin`.
-  /// Where the limit surface is flat, the slip is about a point, exactly, which may carry any force up to its share. Points on one line,
-  /// and a single point, may slip in more than one way: this is one of them. Cost: 50 to 150 wrenches.
+  /// Where the limit surface is flat, the slip is about a point, which may carry any force up to its share: exactly, with factors to their
+  /// rounding. Points on one line, and a single point, may slip in more than one way: this is one of them. Cost: 50 to 150 wrenches.
   [[nodiscard]] PatchSlip slip(const PatchWrench& wrench) const;
 
   /// Centre of pressure [m].
@@ -139,9 +139,9 @@ class Patch {
 
   /// Measures from which round models of the patch are made. Zero if the patch has none: points have no area.
   struct RoundMeasures {
-    double area = 0.0;                       ///< under pressure [m²]
-    Law law;                                 ///< the patch's own if it is an ellipse, else uniform
-    std::vector<PatchPoint> concentrations;  ///< where H may have a sharp minimum with the COR there: points, pixels [m]
+    double area = 0.0;                      ///< under pressure [m²]
+    Law law;                                ///< the patch's own if it is an ellipse, else uniform
+    std::vector<PatchLoad> concentrations;  ///< where H may have a sharp minimum with the COR there: points; pixels, with load 0
   };
   [[nodiscard]] RoundMeasures round_measures() const;
 

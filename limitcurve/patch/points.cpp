@@ -40,12 +40,6 @@ double rounding(std::size_t count, double radius, double moment_ratio) {
   return terms * epsilon * (1.0 + (moment_ratio > 0.0 ? radius / moment_ratio : 0.0));
 }
 
-std::vector<PatchPoint> places_of(const std::vector<PatchLoad>& loads) {
-  std::vector<PatchPoint> places;
-  for (const PatchLoad& point : loads) places.push_back({point.x, point.y});
-  return places;
-}
-
 /// H = Σ w |v + ω ẑ × x|. The points keep the user's coordinates, so that a COR on a point is recognised exactly.
 struct Points final : Shape {
   std::vector<PatchLoad> loads;  ///< not stretched
@@ -121,7 +115,7 @@ struct Points final : Shape {
     return make_soft_points(stretched_loads(), least_radius);
   }
   [[nodiscard]] double nanoseconds() const noexcept override { return 10.0 + 4.0 * static_cast<double>(loads.size()); }
-  [[nodiscard]] std::vector<PatchPoint> concentrations() const override { return places_of(stretched_loads()); }
+  [[nodiscard]] std::vector<PatchLoad> concentrations() const override { return stretched_loads(); }
 };
 
 /// H = Σ w √(|u|² + ε²ω²).
@@ -152,7 +146,11 @@ struct SoftPoints final : Shape {
     return std::make_shared<SoftPoints>(stretch_loads(loads, sx, sy), std::sqrt(softness * sx * sy));
   }
   [[nodiscard]] double nanoseconds() const noexcept override { return 20.0 + 1.5 * static_cast<double>(loads.size()); }
-  [[nodiscard]] std::vector<PatchPoint> concentrations() const override { return places_of(loads); }
+  [[nodiscard]] std::vector<PatchLoad> concentrations() const override {
+    std::vector<PatchLoad> middles = loads;
+    for (PatchLoad& middle : middles) middle.load = 0.0;
+    return middles;
+  }
 };
 
 }  // namespace

@@ -50,8 +50,9 @@ struct Shape {
   /// Cost of `evaluate` [ns], the mean over CORs within a tenth and ten times the moment arm; measured where a table's wrench costs 9 ns.
   [[nodiscard]] virtual double nanoseconds() const noexcept = 0;
   [[nodiscard]] virtual double area() const { return 0.0; }
-  /// Where much load is on little area: points, middles of pixels. H may have a sharp minimum with the COR there.
-  [[nodiscard]] virtual std::vector<PatchPoint> concentrations() const { return {}; }
+  /// Where much load is on little area: H may have a sharp minimum with the COR there. `load`: of a point, which bears any force up to
+  /// it; 0 of the middle of a pixel or of a disc.
+  [[nodiscard]] virtual std::vector<PatchLoad> concentrations() const { return {}; }
   /// The law of an ellipse; null for other shapes.
   [[nodiscard]] virtual Law law() const { return nullptr; }
   [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
