@@ -265,8 +265,8 @@ struct RandomFinger {
 RandomFinger random_finger(Random& random) {
   static const std::array<Law, 3> laws{hertz(), uniform(), parabolic()};
   static const std::array<FingerCurve, 3> tables{exact_curve(laws[0]), exact_curve(laws[1]), exact_curve(laws[2])};
-  const auto law = static_cast<std::size_t>(random.bits() % laws.size());
-  const std::uint64_t kind = random.bits() % 4;
+  const auto law = random.below(laws.size());
+  const std::uint64_t kind = random.below(4);
   Model model;
   model.m0 = laws[law]->moment_ratio();
   FingerCurve curve = tables[law];
@@ -287,11 +287,11 @@ RandomFinger random_finger(Random& random) {
       return std::pair(wrench.force, wrench.moment);
     };
   }
-  if (!model.box) model.projection = projections.at(static_cast<std::size_t>(random.bits() % projections.size()));
+  if (!model.box) model.projection = projections.at(random.below(projections.size()));
   FingerParameters& with = model.with;
   with.mu = random.logarithmic(0.05, 3.0);
-  if (random.bits() % 2 == 0) with.mu_dynamic = with.mu * random.uniform(0.2, 1.0);
-  switch (random.bits() % 4) {
+  if (random.below(2) == 0) with.mu_dynamic = with.mu * random.uniform(0.2, 1.0);
+  switch (random.below(4)) {
     case 0:
       with.radius_law = RadiusLaw::constant(random.logarithmic(1e-3, 0.02));
       break;
@@ -309,7 +309,7 @@ RandomFinger random_finger(Random& random) {
   with.stiffness = random.logarithmic(100.0, 1e4);
   with.twist_stiffness = with.stiffness * random.logarithmic(1e-6, 1e-4);
   with.rest_margin = random.uniform(0.0, 1.0);
-  if (random.bits() % 2 == 0) {
+  if (random.below(2) == 0) {
     with.damping = with.stiffness * random.logarithmic(1e-5, 1e-2);
     with.twist_damping = with.twist_stiffness * random.logarithmic(1e-5, 1e-2);
   }
@@ -330,7 +330,7 @@ TEST(BruteForce, AFingerWrittenOutDoesTheSame) {
     const FingerParameters& with = model.with;
     BruteFinger brute(model);
     const double depth = random.logarithmic(2e-4, 2e-3);
-    const double ball = random.bits() % 2 == 0 ? 0.0 : random.logarithmic(0.03, 0.3);
+    const double ball = random.below(2) == 0 ? 0.0 : random.logarithmic(0.03, 0.3);
     Vec along{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
     Vec normal{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(0.1, 1.0)};
     normal = (1.0 / norm(normal)) * normal;
@@ -343,7 +343,7 @@ TEST(BruteForce, AFingerWrittenOutDoesTheSame) {
     const double load = with.stiffness * depth;
     const double swing = 0.3 * with.mu * load * model.radius(load) * model.m0 / with.twist_stiffness;
     double x = 0.0, y = 0.0, twist = 0.0;
-    const double dt = random.bits() % 4 == 0 ? 0.0 : random.logarithmic(1e-4, 1e-2);
+    const double dt = random.below(4) == 0 ? 0.0 : random.logarithmic(1e-4, 1e-2);
     for (int i = 0; i < 40; ++i) {
       x += random.uniform(-1.0, 1.5) * stride;
       y += random.uniform(-1.0, 1.0) * stride;

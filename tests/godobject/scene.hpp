@@ -45,6 +45,8 @@ class Random {
   /// Each component within ± size.
   Eigen::Vector3d vector(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
   std::uint64_t bits() { return engine_(); }
+  /// 0, 1, …, count - 1.
+  std::size_t below(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
 
  private:
   std::mt19937_64 engine_;

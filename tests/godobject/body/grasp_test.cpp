@@ -158,7 +158,7 @@ TEST(Grasp, AFirstTouchNeedsNoGravity) {
       Random random(static_cast<std::uint64_t>(scene));
       BodyParameters body = BodyParameters::block(random.logarithmic(0.01, 1.0), edges);
       if (planar) body.free = {true, true, false, false, false, true};
-      const std::size_t fingers = 1 + random.bits() % 4;
+      const std::size_t fingers = 1 + random.below(4);
       const FingerParameters with = parameters(random.logarithmic(0.1, 2.0), 0.005, random.logarithmic(1e2, 1e4));
       std::vector<DevicePose> out;
       std::vector<DevicePose> in;

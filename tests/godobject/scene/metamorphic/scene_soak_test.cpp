@@ -24,7 +24,7 @@ RadiusLaw any_radius(Random& random) {
   static const std::array<LoadSample, 4> measured{{{0.3, 0.002}, {1.0, 0.0026}, {3.0, 0.0034}, {9.0, 0.0031}}};
   const std::array laws{RadiusLaw::constant(random.logarithmic(1e-4, 0.05)), RadiusLaw::hertz(0.008, 2e5), RadiusLaw::power(0.00207, 0.259),
                         RadiusLaw::sampled(measured)};
-  return laws[random.bits() % 4];
+  return laws[random.below(4)];
 }
 
 /// The choice's finger, of any stiffness.
@@ -40,21 +40,21 @@ SoftFinger any_finger(const Choice& choice, Random& random) {
   with.twist_stiffness = with.stiffness * random.logarithmic(1e-7, 1e-3);
   with.twist_damping = with.damping * random.logarithmic(1e-7, 1e-3);
   // Four times as rough along x as across.
-  if (random.bits() % 8 == 0 && !with.mu_r) return {Patch::rectangle(0.01, 0.01).orthotropic(1.0, 0.25), with};
+  if (random.below(8) == 0 && !with.mu_r) return {Patch::rectangle(0.01, 0.01).orthotropic(1.0, 0.25), with};
   const std::array laws{hertz(), uniform(), flat_punch()};
-  return {make_finger_curve(choice.curve.kind, laws[random.bits() % 3], 1e-8), with, choice.curve.projection};
+  return {make_finger_curve(choice.curve.kind, laws[random.below(3)], 1e-8), with, choice.curve.projection};
 }
 
 BodyParameters any_body(Random& random) {
   BodyParameters body = BodyParameters::block(random.logarithmic(1e-3, 10.0), Vector3d::Constant(size) + 0.5 * random.vector(size));
-  if (random.bits() % 2 == 0) body.gravity.setZero();
-  if (random.bits() % 3 == 0) body.free = {true, true, false, false, false, true};
+  if (random.below(2) == 0) body.gravity.setZero();
+  if (random.below(3) == 0) body.free = {true, true, false, false, false, true};
   return body;
 }
 
 /// Now and then it jumps: to another side, off, or deep into the body; and back if it is too far.
 void wander(DevicePose& device, const BodyState& body, double stride, Random& random) {
-  if (random.bits() % 100 == 0 || (device.position - body.position).norm() > 2.0 * size) {
+  if (random.below(100) == 0 || (device.position - body.position).norm() > 2.0 * size) {
     device.position = body.to_world(random.vector(1.5 * size));
   } else {
     device.position += random.vector(stride);
@@ -101,7 +101,7 @@ TEST(SceneSoak, EveryStepHolds) {
   std::size_t unsolved = 0;
   std::size_t body_steps = 0;
   for_each_choice(61, [&](const Choice& choice, Random& random) {
-    const std::size_t fingers = 1 + random.bits() % 4;
+    const std::size_t fingers = 1 + random.below(4);
     Grasp hand(any_body(random), {}, choice.surface.surface, std::vector<SoftFinger>(fingers, any_finger(choice, random)));
     std::vector<DevicePose> devices(fingers);
     for (DevicePose& device : devices) device = {random.vector(0.9 * size), rotation(random, 3.0), 0.0};
@@ -109,8 +109,8 @@ TEST(SceneSoak, EveryStepHolds) {
     hand.place(body, devices);
     const double time_step = random.logarithmic(1e-5, 1e-2);
     const double stride = random.logarithmic(1e-6, 0.2) * size;
-    const bool is_free = random.bits() % 4 == 0;
-    const bool is_moved = random.bits() % 2 == 0;
+    const bool is_free = random.below(4) == 0;
+    const bool is_moved = random.below(2) == 0;
     for (int i = 0; i < steps; ++i) {
       SCOPED_TRACE("step " + std::to_string(i));
       const Grasp last = hand;
@@ -159,7 +159,7 @@ TEST(SceneSoak, ABodyBetweenFingersAtRestGainsNoEnergy) {
     Grasp held(body, {}, AnySurface(BoxSurface(half)), std::vector<SoftFinger>(2, any_finger(choice, random)));
     const double depth = random.logarithmic(1e-3, 0.1) * size;
     // Pressed along the axis that a planar body turns about, or in the plane.
-    const auto axis = static_cast<Eigen::Index>(random.bits() % 3);
+    const auto axis = static_cast<Eigen::Index>(random.below(3));
     Vector3d at = random.vector(0.3 * size);
     at[axis] = 0.0;
     const Vector3d reach = (half.x() - depth) * Vector3d::Unit(axis);
@@ -174,7 +174,7 @@ TEST(SceneSoak, ABodyBetweenFingersAtRestGainsNoEnergy) {
       knocked.velocity.z() = 0.0;
       knocked.angular_velocity.head<2>().setZero();
     }
-    if (random.bits() % 2 == 0) {
+    if (random.below(2) == 0) {
       // The gripped point rests, and friction pulls it towards the centre of mass: what the turn of a step adds is not lost elsewhere.
       const FingerParameters& with = held.finger(0).parameters();
       const Vector3d lever = planar ? Vector3d(at.x(), at.y(), 0.0) : at;
