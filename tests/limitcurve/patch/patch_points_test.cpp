@@ -91,7 +91,8 @@ TEST(PatchPoints, WhatOneBearsInPartSlipsAboutIt) {
   for (int i = 0; i < 2000; ++i) {
     std::vector<PatchLoad> loads(3 + bits() % 6);
     for (PatchLoad& one : loads) one = {0.01 * std::floor(10.0 * number(bits)), 0.1 * number(bits), 0.125 + number(bits)};
-    const double sum = std::accumulate(loads.begin(), loads.end(), 0.0, [](double before, const PatchLoad& one) { return before + one.load; });
+    const double sum =
+        std::accumulate(loads.begin(), loads.end(), 0.0, [](double before, const PatchLoad& one) { return before + one.load; });
     for (PatchLoad& one : loads) one.load /= sum;
     const double mx = i % 3 == 0 ? 0.1 + number(bits) : 1.0;
     const Patch patch = Patch::points(loads).orthotropic(mx, 1.0);
