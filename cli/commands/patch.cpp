@@ -39,7 +39,7 @@ class PatchCommand final : public Subcommand {
         "Wrenches: a CSV with the columns fx,fy,moment [N, N m] about the origin. Columns: the wrench; hold_load: the load that\n"
         "just holds it [N], inf if none does; vx, vy, omega: the slip at that load, of power 1 W against the wrench, nan for wrench 0 or\n"
         "without such a load; error: bound of |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the slip needs. Where the limit\n"
-        "surface is flat the slip is about a point of the patch, exactly; error leaves out the force that this point bears.\n"
+        "surface is flat the slip is about a point of the patch, exactly; error leaves out what it bears, up to its load.\n"
         "--half-spaces N: at most N rows of inequalities inside the limit surface, for a planner, and their vertices, about the origin.\n"
         "Columns: kind; a row has fx F_x + fy F_y + moment M <= mu N, units 1, 1, 1/m; a vertex is a wrench for mu N = 1, units 1, 1, m;\n"
         "share: the polytope's radius over the limit surface's in the worst direction. N: 8, 14, 32, 62 or 128.\n"

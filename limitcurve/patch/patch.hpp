@@ -53,7 +53,7 @@ struct PatchFriction {
 struct PatchSlip {
   PatchTwist twist;    ///< about the origin, of power 1 against the wrench; NaN for wrench 0 and for one that no load holds
   double gauge = 0.0;  ///< of the wrench: 1 on the limit surface
-  double error = 0.0;  ///< bound on |ΔF| and |ΔM|/m₀, Δ from wrench/gauge to the twist's wrench; a point under the COR aside
+  double error = 0.0;  ///< bound on |ΔF| and |ΔM|/m₀, Δ from wrench/gauge to the twist's wrench and what a point under the COR bears
 };
 
 namespace patch {
