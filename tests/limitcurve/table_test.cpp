@@ -191,7 +191,7 @@ TEST(Table, FollowsWhatIsNearerToAnEndThanBucketsGet) {
   for (const double tolerance : studies_are_whole() ? std::vector{0.1, 1e-6} : std::vector{0.1}) {
     const Law law = xydas_kao(studies_are_whole() || !accuracy::has_extended ? 0.01 : 0.019);
     if (!accuracy::has_extended) {  // refused there, by its name: docs/accuracy.md
-      expect_mention(complaint([&] { Table::build(law, tolerance); }), "xydas-kao:k=0.01");
+      expect_mention(complaint<std::runtime_error>([&] { Table::build(law, tolerance); }), "xydas-kao:k=0.01");
       continue;
     }
     const Table table = Table::build(law, tolerance);
