@@ -65,15 +65,10 @@ PatchFriction Shape::about_origin(const PatchTwist& twist, PatchPoint factors) c
 
 }  // namespace patch
 
-Patch::Patch(const std::shared_ptr<const patch::Shape>& isotropic) : Patch(isotropic, 1.0, 1.0, isotropic->centre) {}
+Patch::Patch(const std::shared_ptr<const patch::Shape>& isotropic) : Patch(isotropic, 1.0, 1.0, isotropic->centre, isotropic->radius) {}
 
-Patch::Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my, PatchPoint centre)
-    : shape_(std::move(shape)),
-      centre_(centre),
-      mx_(mx),
-      my_(my),
-      moment_ratio_(shape_->moment_ratio),
-      radius_(shape_->radius / std::min(mx, my)) {}
+Patch::Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my, PatchPoint centre, double radius)
+    : shape_(std::move(shape)), centre_(centre), mx_(mx), my_(my), moment_ratio_(shape_->moment_ratio), radius_(radius) {}
 
 Patch Patch::points(std::span<const PatchLoad> loads) {
   return Patch(patch::make_points(loads));
@@ -104,12 +99,14 @@ Patch Patch::orthotropic(double mx, double my) const {
   if (!fits(mx)) throw out_of_range("mx", mx, "1", "1e-6 <= mx <= 1e6");
   if (!fits(my)) throw out_of_range("my", my, "1", "1e-6 <= my <= 1e6");
   if (mx == 1.0 && my == 1.0) return *this;
-  return {shape_->stretched(my, mx), mx_ * mx, my_ * my, centre_};
+  return {shape_->stretched(my, mx), mx_ * mx, my_ * my, centre_, radius_};
 }
 
 Patch Patch::smoothed(double radius) const {
   auto smooth = shape_->smoothed(checked_length("radius", radius) * std::sqrt(mx_ * my_));
-  return smooth ? Patch(std::move(smooth), mx_, my_, centre_) : *this;
+  if (!smooth) return *this;
+  const double wider = (smooth->radius - shape_->radius) / std::min(mx_, my_);
+  return {std::move(smooth), mx_, my_, centre_, radius_ + wider};
 }
 
 // Orthotropic friction: diag(mx, my)(v + ω ẑ × x) is the velocity of the point (my x, mx y) under the twist (mx v_x, my v_y, ω). So H is

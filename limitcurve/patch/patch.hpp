@@ -149,7 +149,7 @@ class Patch {
   struct Direction;
 
   explicit Patch(const std::shared_ptr<const patch::Shape>& isotropic);
-  Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my, PatchPoint centre);
+  Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my, PatchPoint centre, double radius);
 
   std::shared_ptr<const patch::Shape> shape_;  ///< under isotropic friction: the patch with x times my and y times mx
   PatchPoint centre_{};                        ///< of the patch itself: of one point it is that point to the last bit

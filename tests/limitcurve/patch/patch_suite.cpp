@@ -81,6 +81,14 @@ TEST_P(EveryPatch, PowerIsTwistTimesWrenchAndPositive) {
   }
 }
 
+TEST_P(EveryPatch, FactorsOfFrictionMoveNoPoint) {
+  const auto& [name, patch, bound] = GetParam();
+  const Patch slippery = patch.orthotropic(0.1, 3.0);
+  EXPECT_EQ(slippery.radius(), patch.radius()) << name;
+  EXPECT_EQ(slippery.centre().x, patch.centre().x) << name;
+  EXPECT_EQ(slippery.centre().y, patch.centre().y) << name;
+}
+
 TEST_P(EveryPatch, PowerIsOfDegreeOneAndEven) {
   const auto& [name, patch, bound] = GetParam();
   for (const PatchTwist& twist : random_twists(patch, 50)) {
