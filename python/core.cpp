@@ -132,6 +132,7 @@ std::vector<Numbers<double>> columns_of(const std::string& table, const std::vec
   const nb::module_ masks = nb::module_::import_("numpy.ma");
   std::vector<Numbers<double>> result;
   nb::object masked = nb::none();
+  std::string with_masks;
   std::size_t first = names.size();  // that has numbers
   if (refused != nullptr) refused->assign(names.size(), "");
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -154,6 +155,7 @@ std::vector<Numbers<double>> columns_of(const std::string& table, const std::vec
                                   std::to_string(result[first].size) + " as in '" + names[first] + "'");
     }
     if (!has_mask) continue;
+    with_masks += (with_masks.empty() ? "" : ", ") + names[i];
     const nb::object mask = masks.attr("getmaskarray")(columns[i]).attr("reshape")(-1);
     masked = masked.is_none() ? mask : numpy("logical_or")(masked, mask);
   }
@@ -162,7 +164,7 @@ std::vector<Numbers<double>> columns_of(const std::string& table, const std::vec
     if (column.size == 0) continue;
     column = contiguous<double>(column.array.attr("reshape")(-1)[numpy("logical_not")(masked)]);
   }
-  warn((table.empty() ? names[0] : table) + ": rows with a masked number are left out, " +
+  warn((table.empty() ? with_masks : table) + ": rows with a masked number are left out, " +
        std::to_string(nb::cast<std::size_t>(numpy("count_nonzero")(masked))) + " of " + std::to_string(nb::len(masked)));
   return result;
 }

@@ -117,7 +117,8 @@ class Call:
         if value.arrays is None:
             return value.name
         radius, pressure = value.arrays
-        return "samples:" + self._memory(value.name.removeprefix("samples:"), [("radius", radius), ("pressure", pressure)], ["", ""])
+        source, *rim = re.split(r"(,rim=[^,]*$)", value.name.removeprefix("samples:"))
+        return "samples:" + self._memory(source, [("radius", radius), ("pressure", pressure)], ["", ""]) + "".join(rim)
 
     def patch(self, value: str | Patch) -> str:
         if isinstance(value, str):

@@ -155,7 +155,7 @@ def tangent_ellipse(cells: Cells, force: Any = None, moment: Any = None, p: Any 
     def split(to: Any, x: Any, d: Any, first: Any, second: Any) -> "tuple[Any, Any, Any]":
         each = per_x(x, first, second)  # x sqrt(each/D) is the root of the leading share of the power
         rise = (each / d) ** 0.5
-        return to[0] - x * rise, (each + second - first * first / d) / (2 * d * rise), 4 * float(limits.eps) * to[0]
+        return to[0] - x * rise, (each + second - first * first / d) / (2 * d * xp.where(rise == 0, 1.0, rise)), 4 * float(limits.eps) * to[0]
 
     if slip is not None:
         xp, rests, outside, cell, x = _slip(cells, *slip)

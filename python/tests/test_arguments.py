@@ -45,13 +45,13 @@ def test_masked_pixels_have_no_sensor_and_masked_rows_are_none():
     with pytest.warns(UserWarning, match="^pressures: 8 of 24 pixels have no sensor"):
         assert lc.Patch.image(image, 1e-3).moment_ratio == lc.Patch.image(np.ones((4, 4)), 1e-3).moment_ratio
     mask = [0, 0, 0, 1]
-    with pytest.warns(UserWarning, match="^x: rows with a masked number are left out, 1 of 4$"):
+    with pytest.warns(UserWarning, match="^load: rows with a masked number are left out, 1 of 4$"):
         patch = lc.Patch.points([0, 1, 0, 9], [0, 0, 1, 9], np.ma.masked_array([1, 1, 1, 5], mask))
     assert patch.moment_ratio == lc.Patch.points([0, 1, 0], [0, 0, 1], [1, 1, 1]).moment_ratio
     radius = np.linspace(0, 1, 12)
     pressure = np.ma.masked_array(1 - radius**2, radius == radius[5])
     pressure.data[5] = 50
-    with pytest.warns(UserWarning, match="^radius: rows"):
+    with pytest.warns(UserWarning, match="^pressure: rows"):
         law = lc.Law.samples(radius, pressure)
     assert law.arrays[1].tolist() == pressure.compressed().tolist()
     load = np.linspace(1, 3, 9)

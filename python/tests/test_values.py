@@ -180,6 +180,7 @@ def test_the_size_and_the_noise_of_a_measured_pressure():
         named = lc.Law.samples(radius, pressure, rim=6)
         assert named.rim == 6 and named.name == "samples:arrays,rim=6"
         assert pickle.loads(pickle.dumps(named)).moment_ratio == named.moment_ratio
+        assert lc.run("eval", law=named, c="0")["moment"] == named.evaluate(0)[1]
     image = np.array([[0.01, 1], [2, 3]])
     with pytest.warns(UserWarning, match="pressures: 1 up to 0.02 count as 0, 0.17 % of the load"):
         patch = lc.Patch.image(image, 1e-3, floor=0.02)
