@@ -164,6 +164,8 @@ class Fit final : public Subcommand {
     ask("--loss", loss_ != 0, has_data && model != "friction");
     ask("--gamma", settings_.gamma != 0.0, of_slips);
     ask("--fit-gamma", settings_.fit_gamma, of_slips);
+    ask("--load-model", load_model_ != 2, model == "load");
+    ask("--largest-radius", settings_.largest_radius != fit::ContactFitOptions{}.largest_radius, of_slips && model != "ellipse");
     if (!idle.empty()) say("warning", idle + ": without effect on fit " + model + (has_data ? "" : " without --data"));
   }
 

@@ -104,8 +104,9 @@ class Fit(CommandLineTest):
         call = ["fit", "ratio", "--data", slips]
         self.assert_fails(2, ["--columns", "'weight'", "expected one of load,force,moment"], *call, "--columns", "weight=Fz")
         self.assert_fails(2, ["slips.csv", "no column 'Fz'"], *call, "--columns", "load=Fz")
-        self.assertIn("warning: --law, --criterion: without effect on fit ellipse\n",
-                      run("fit", "ellipse", "--data", slips, "--law", "hertz", "--criterion", "inner").stderr)
+        idle = ["--law", "hertz", "--criterion", "inner", "--load-model", "hertz", "--largest-radius", "0.01"]
+        self.assertIn("warning: --law, --criterion, --load-model, --largest-radius: without effect on fit ellipse\n",
+                      run("fit", "ellipse", "--data", slips, *idle).stderr)
         after = self.file("after.csv", "sensor 7\n" + slips.read_text())
         self.assertEqual(rows("fit", "ratio", "--quiet", "--data", after), rows("fit", "ratio", "--quiet", "--data", slips))
         for listed, said in (("load=-", "no column ''"), ("force=moment:", "no column ''"), ("force=moment:moment", "each column once"),
