@@ -181,7 +181,7 @@ void add_batches(nb::module_& module) {
         if (parameters.damping != 0.0 || parameters.twist_damping != 0.0)
           throw std::invalid_argument("damping, twist_damping: expected 0, a batch has no dampers");
         for (const char* const name : {"max_displacement", "fault_decay"}) {
-          if (made.given.contains(name)) throw std::invalid_argument(std::string(name) + ": a batch has no such fault: it holds its output");
+          if (made.given.contains(name)) throw std::invalid_argument(name + std::string(": a batch has no such fault"));
         }
         if (is_single_precision(given[2])) {
           made.contacts = std::make_unique<Contacts<float>>(curve, n, parameters, projection);
@@ -190,7 +190,8 @@ void add_batches(nb::module_& module) {
         }
         new (self) PyBatch(std::move(made));
       },
-      "n free contacts at the origin; parameters as for SoftFinger, but no dampers, max_displacement and fault_decay. dtype float32 needs half the memory and time and resolves 6e-8 of a\n"
+      "n free contacts at the origin; parameters as for SoftFinger, but no dampers, max_displacement and fault_decay.\n"
+      "dtype float32 needs half the memory and time and resolves 6e-8 of a\n"
       "coordinate; its table is that of the given one, to 5e-7 or 1 % of its tolerance.");
   define<PyBatch&>(
       batch,
