@@ -224,7 +224,9 @@ PatchSlip Patch::slip(const PatchWrench& wrench) const {
       if (far == distance) nearest.load += load;
       if (far < distance) nearest = {x, y, load}, distance = far;
     }
-    const double rate = 1.0 / about({nearest.x, nearest.y}, wrench).moment;
+    const double moment = about({nearest.x, nearest.y}, wrench).moment;
+    if (moment == 0.0) return found;  // it has no power about there
+    const double rate = 1.0 / moment;
     const PatchTwist about_nearest{rate * nearest.y, -rate * nearest.x, rate};
     const double error = error_of(about_nearest, &nearest);
     if (error < found.error) found = {about_nearest, found.gauge, error};

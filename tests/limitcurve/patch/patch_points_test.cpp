@@ -87,7 +87,7 @@ TEST(PatchPoints, TwoHoldWhatEachBearsOfIt) {
 TEST(PatchPoints, WhatOneBearsInPartSlipsAboutIt) {
   std::mt19937 bits(29);
   std::uniform_real_distribution<double> number(0.0, 1.0);
-  for (int i = 0; i < 2000; ++i) {
+  for (std::size_t i = 0; i < 2000; ++i) {
     std::vector<PatchLoad> loads(3 + bits() % 6);
     for (PatchLoad& one : loads) one = {0.01 * std::floor(10.0 * number(bits)), 0.1 * number(bits), 0.125 + number(bits)};
     const double sum =
@@ -155,7 +155,7 @@ TEST(PatchPoints, BesideOneTheErrorOfASlipIsHonest) {
       }
     }
     if (bears != nullptr) {
-      const double part = std::min(1.0, bears->load / std::hypot(left.fx, left.fy));
+      const double part = bears->load / std::max(bears->load, std::hypot(left.fx, left.fy));
       take(*bears, part * left.fx, part * left.fy);
     }
     EXPECT_LE(std::max(std::hypot(left.fx, left.fy), std::fabs(left.moment) / patch.moment_ratio()), error + 1e-14) << i << ' ' << away;
