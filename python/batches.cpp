@@ -181,7 +181,8 @@ void add_batches(nb::module_& module) {
         if (parameters.damping != 0.0 || parameters.twist_damping != 0.0)
           throw std::invalid_argument("damping, twist_damping: expected 0, a batch has no dampers");
         for (const char* const name : {"max_displacement", "fault_decay"}) {
-          if (made.given.contains(name)) throw std::invalid_argument(name + std::string(": a batch has no such fault"));
+          if (made.given.contains(name))
+            throw std::invalid_argument(name + std::string(": expected none, a batch refuses no jump and fades no output"));
         }
         if (is_single_precision(given[2])) {
           made.contacts = std::make_unique<Contacts<float>>(curve, n, parameters, projection);

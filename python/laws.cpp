@@ -50,7 +50,7 @@ PyLaw of_function(nb::handle pressure) {
                                   ", expected a finite number");
     }
   }
-  return of_samples(std::move(rows), "function", 1.0);
+  return of_samples(std::move(rows), "function", 1.0);  // the rim is named: there is no sensor whose noise could pass for it
 }
 
 }  // namespace

@@ -191,7 +191,7 @@ double Patch::gauge(const PatchWrench& wrench) const noexcept {
 PatchSlip Patch::slip(const PatchWrench& wrench) const {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kink = 1e-9;  // more than Newton's method leaves where H is smooth
-  constexpr double near = 1e-6;
+  constexpr double near = 1e-6;  // of the radius: beside a point, whose own force has no direction
   const PatchPoint middle = centre();
   const Direction direction(*this, about(middle, wrench));
   const double size = direction.size;
@@ -225,7 +225,7 @@ PatchSlip Patch::slip(const PatchWrench& wrench) const {
       if (far < distance) nearest = {x, y, load}, distance = far;
     }
     const double moment = about({nearest.x, nearest.y}, wrench).moment;
-    if (moment == 0.0) return found;  // it has no power about there
+    if (std::isinf(distance) || moment == 0.0) return found;  // no point, or none about which the wrench has power
     const double rate = 1.0 / moment;
     const PatchTwist about_nearest{rate * nearest.y, -rate * nearest.x, rate};
     const double error = error_of(about_nearest, &nearest);
