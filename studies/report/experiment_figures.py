@@ -76,6 +76,8 @@ def experiment(data, grip):
             lost, time = angle_at_loss(rows)
             angle.plot(time, lost, "o", color=VERMILION, markersize=5, label=f"lost: has slid {1e3 * LOST:g} mm")
         cor.plot(times, held.column("cor", 1e3), color=BLUE, linewidth=1.1)
+        if not any(map(math.isfinite, held.column("cor"))):
+            cor.text(0.5, 0.5, "infinite: the block only slides", transform=cor.transAxes, ha="center", va="center", fontsize=9, color=FAINT)
         cor.set(xlabel="time  [s]", yscale="log", ylim=(5, 200), xlim=angle.get_xlim())
         draw_plane(plane, held, unit_curve(data, case), sandpaper)
     for row, label in zip(panels, ("y  [mm]", "centre of mass  [mm]", "angle α  [°]", "load  [N]", "COR of the slip c  [mm]", "ρ  [mrad]")):
