@@ -5,6 +5,7 @@
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/measured/samples.hpp"
 #include "limitcurve/table_file.hpp"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "../limitcurve/approximations.hpp"
 #include "../limitcurve/pressure_law.hpp"
-#include "../limitcurve/validate.hpp"
+#include "../limitcurve/validate/validate.hpp"
 #include "estimate.hpp"
 
 #include <cstddef>

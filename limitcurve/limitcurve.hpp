@@ -3,7 +3,6 @@
 
 #include "accuracy.hpp"
 #include "approximations.hpp"
-#include "choose.hpp"
 #include "contact/load_curves.hpp"
 #include "contact/load_to_hold.hpp"
 #include "exact_curve.hpp"
@@ -12,7 +11,6 @@
 #include "pressure_law.hpp"
 #include "table.hpp"
 #include "table_file.hpp"
-#include "validate.hpp"
 #include "version.hpp"
 #include "wrench.hpp"
 
@@ -55,9 +53,7 @@ Law parse_law(std::string_view text);
 // Ellipse, box, diamond                          what physics engines use: approximations.hpp
 // curve_error(model, exact)                      how wrong they are: validate.hpp
 
-/// Which limit curve is good enough? All candidates for `law`, cheapest first; `chosen` marks the first whose radial error, relative to the
-/// exact curve on the same ray, is at most `tolerance` ∈ [1e-10, 1]. Details: choose.hpp.
-std::vector<Candidate> choose(const Law& law, double tolerance);
+// choose(law, tolerance)                         which limit curve is good enough: validate/choose.hpp
 
 // 3. In newtons.
 

@@ -8,6 +8,7 @@
 #include "godobject/finger.hpp"
 #include "godobject/finger_curve.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/measured/samples.hpp"
 #include "limitcurve/patch/patch.hpp"
 #include "limitcurve/table.hpp"
 #include "limitcurve/version.hpp"

@@ -10,7 +10,7 @@
 #include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/tangent_ellipse.hpp"
+#include "limitcurve/validate/tangent_ellipse.hpp"
 
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>

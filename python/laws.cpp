@@ -6,6 +6,7 @@
 #include "cli/io/stated_error.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/measured/samples.hpp"
 
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>

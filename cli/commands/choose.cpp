@@ -8,8 +8,8 @@
 
 #include "godobject/scene/choose_step.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/shipped_costs.hpp"
 #include "limitcurve/patch/disc_models.hpp"
+#include "limitcurve/validate/shipped_costs.hpp"
 
 #include <array>
 #include <limits>

@@ -6,10 +6,10 @@
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
-#include "limitcurve/internal/remembering_law.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/patch/disc_models.hpp"
-#include "limitcurve/validate.hpp"
+#include "limitcurve/validate/remembering_law.hpp"
+#include "limitcurve/validate/validate.hpp"
 #ifdef LIMITCURVE_HAS_FIT
 #include "fit/curve_fit.hpp"
 #endif

@@ -4,7 +4,7 @@
 #include "cli/io/csv_reader.hpp"
 #include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/own_radii.hpp"
+#include "limitcurve/measured/own_radii.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <optional>

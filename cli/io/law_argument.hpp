@@ -5,6 +5,7 @@
 
 #include "limitcurve/contact/contact_friction.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/measured/samples.hpp"
 
 #include <optional>
 #include <string>

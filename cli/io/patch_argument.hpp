@@ -5,6 +5,7 @@
 #include "cli/io/messages.hpp"
 
 #include "limitcurve/laws.hpp"
+#include "limitcurve/measured/samples.hpp"
 #include "limitcurve/patch/patch.hpp"
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "limitcurve/internal/range.hpp"
 
-#include "godobject/surface.hpp"
+#include "godobject/surfaces/surfaces.hpp"
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number.hpp"

@@ -7,9 +7,9 @@
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/shipped_costs.hpp"
 #include "limitcurve/table.hpp"
-#include "limitcurve/validate.hpp"
+#include "limitcurve/validate/shipped_costs.hpp"
+#include "limitcurve/validate/validate.hpp"
 
 #include <algorithm>
 #include <cmath>

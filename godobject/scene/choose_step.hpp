@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../../limitcurve/choose.hpp"
 #include "../../limitcurve/contact/radius_law.hpp"
 #include "../../limitcurve/pressure_law.hpp"
+#include "../../limitcurve/validate/choose.hpp"
 #include "replay.hpp"
 
 #include <limits>

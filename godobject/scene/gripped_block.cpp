@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/scene/gripped_block.hpp"
 
-#include "godobject/surface.hpp"
+#include "godobject/surfaces/surfaces.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -3,7 +3,7 @@
 
 #include "../contact/radius_law.hpp"
 #include "../pressure_law.hpp"
-#include "../validate.hpp"
+#include "../validate/validate.hpp"
 
 #include <span>
 #include <string>

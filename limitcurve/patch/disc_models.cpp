@@ -4,9 +4,9 @@
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/shipped_costs.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
+#include "limitcurve/validate/shipped_costs.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 

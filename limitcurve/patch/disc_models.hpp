@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../choose.hpp"
-#include "../validate.hpp"
+#include "../validate/choose.hpp"
+#include "../validate/validate.hpp"
 #include "patch.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/signed_noise.hpp"
+#include "limitcurve/measured/signed_noise.hpp"
 #include "limitcurve/patch/point_sums.hpp"
 #include "limitcurve/patch/polygon_edge.hpp"
 #include "limitcurve/patch/shape.hpp"

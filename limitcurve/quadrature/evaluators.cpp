@@ -2,8 +2,7 @@
 #include "limitcurve/quadrature/evaluators.hpp"
 
 #include "limitcurve/quadrature/closed_form.hpp"
-#include "limitcurve/quadrature/cubic_pieces.hpp"
-#include "limitcurve/quadrature/elliptic.hpp"
+#include "limitcurve/quadrature/kernels.hpp"
 #include "limitcurve/quadrature/tanh_sinh.hpp"
 
 #include <algorithm>
@@ -15,8 +14,6 @@ namespace {
 
 constexpr Extended pi = closed_form::pi;
 
-template <class Real>
-using Triple = std::array<Real, 3>;  // force, moment, force slope
 template <class Real>
 using Sums = std::array<Real, 4>;  // the same, and the load
 
@@ -121,19 +118,6 @@ Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_
   return checked_by_load(value, error, wavering, {Real(1), outer});
 }
 
-/// Force, moment and slope of a ring of radius ρ that carries the unit load; `from_cor` is |ρ − s|.
-template <class Real>
-Triple<Real> ring_kernel(Real rho, Real s, Real from_cor) noexcept {
-  const Real larger = std::max(rho, s);
-  const Real q = std::min(rho, s) / larger;
-  const Real complement = from_cor / larger * ((rho + s) / larger);
-  const auto [b, d] = elliptic_pair(q, complement);
-  const Real e = b + complement * d;
-  constexpr auto scale = static_cast<Real>(2 / pi);
-  if (rho <= s) return {scale * e, scale * rho * q * b, scale * q * d * (q / s)};
-  return {scale * q * b, scale * rho * e, scale * d / rho};
-}
-
 template <class Real>
 Quadrature<Real> ring_in(const PressureLaw& law, Real s, Slope slope) noexcept {
   // At s = ∞ the kernel is ∞/∞: use its limit.
@@ -147,22 +131,6 @@ Quadrature<Real> ring_in(const PressureLaw& law, Real s, Slope slope) noexcept {
                           });
 }
 
-template <class Real>
-Quadrature<Real> ring_in(const CubicPieces& pressure, Real s, Slope slope) noexcept {
-  if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
-  const auto [value, error, wavering] =
-      pressure.integrate(s, slope == Slope::wanted ? 3 : 2, [&](Real rho, Real from_cor) { return ring_kernel(rho, s, from_cor); });
-  return {{value[0], value[1], value[2]}, {error[0], error[1], error[2]}};
-}
-
-/// G′ and N of a ring of radius ρ that carries the unit load: (2/π) asin(t/ρ) and (2/π)√(ρ² − t²) where t < ρ, else 1 and 0.
-Triple<double> line_kernel(double rho, double t, double from_t) noexcept {
-  if (rho <= t) return {1.0, 0.0, 0.0};
-  constexpr auto scale = static_cast<double>(2 / pi);
-  const double half_chord = std::sqrt(from_t * (rho + t));
-  return {scale * std::atan2(t, half_chord), scale * half_chord, 0.0};
-}
-
 }  // namespace
 
 Quadrature<Extended> ring(const PressureLaw& law, Extended s, Slope slope) noexcept {
@@ -170,13 +138,6 @@ Quadrature<Extended> ring(const PressureLaw& law, Extended s, Slope slope) noexc
 }
 Quadrature<double> ring(const PressureLaw& law, double s, Slope slope) noexcept {
   return ring_in(law, s, slope);
-}
-
-Quadrature<Extended> ring(const CubicPieces& pressure, Extended s, Slope slope) noexcept {
-  return ring_in(pressure, s, slope);
-}
-Quadrature<double> ring(const CubicPieces& pressure, double s, Slope slope) noexcept {
-  return ring_in(pressure, s, slope);
 }
 
 UnitWrench ring_wrench(double rho, double s) noexcept {
@@ -231,11 +192,6 @@ Quadrature<double> line_profile(const PressureLaw& law, double t) noexcept {
       law.breaks(), static_cast<double>(law.rim_exponent()), t, 2, [&](const SplitPosition<double>& position) -> Sums<double> {
         return loaded(2.0 * position.at.radius * usable(law.density(position.at)), line_kernel(position.at.radius, t, position.from_cor));
       });
-}
-
-Quadrature<double> line_profile(const CubicPieces& pressure, double t) noexcept {
-  const auto [value, error, wavering] = pressure.integrate(t, 2, [&](double rho, double from_t) { return line_kernel(rho, t, from_t); });
-  return {{value[0], value[1], 0.0}, {error[0], error[1], 0.0}};
 }
 
 WrenchEstimate rounded(const Quadrature<Extended>& estimate) noexcept {

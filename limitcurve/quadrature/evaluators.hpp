@@ -3,10 +3,6 @@
 
 #include "limitcurve/pressure_law.hpp"
 
-namespace limitcurve {
-class CubicPieces;
-}
-
 /// The evaluators of eq. (17) for every law, s ∈ [0, ∞]. All integrands except those of `direct` are positive, so that rounding stays at
 /// the level of one term. docs/theory.md has the kernels.
 namespace limitcurve::evaluators {
@@ -14,10 +10,6 @@ namespace limitcurve::evaluators {
 /// The angular integral in closed form (complete elliptic integrals), the radial one by quadrature, split at ρ = s and at the law's breaks.
 Quadrature<Extended> ring(const PressureLaw& law, Extended s, Slope slope = Slope::wanted) noexcept;
 Quadrature<double> ring(const PressureLaw& law, double s, Slope slope = Slope::wanted) noexcept;
-
-/// The same for a pressure of many cubic pieces.
-Quadrature<Extended> ring(const CubicPieces& pressure, Extended s, Slope slope = Slope::wanted) noexcept;
-Quadrature<double> ring(const CubicPieces& pressure, double s, Slope slope = Slope::wanted) noexcept;
 
 /// Unit wrench of a ring of radius ρ, in contact radii, that carries the whole load: the kernel of `ring`. s finite.
 UnitWrench ring_wrench(double rho, double s) noexcept;
@@ -35,7 +27,6 @@ Quadrature<double> boost(const PressureLaw& law, double s, Slope slope = Slope::
 /// The law's pressure projected on a line through the contact centre, at the coordinate t ≥ 0 on the line: with G(t) = ⟨|t − x|⟩, `force`
 /// is G′ and `moment` is N = G − tG′. For contacts that are not round.
 Quadrature<double> line_profile(const PressureLaw& law, double t) noexcept;
-Quadrature<double> line_profile(const CubicPieces& pressure, double t) noexcept;
 
 /// Rounds to double and adds the rounding to the error.
 WrenchEstimate rounded(const Quadrature<Extended>& estimate) noexcept;

@@ -4,6 +4,7 @@
 #include "godobject/batch/batch.hpp"
 #include "godobject/body/grasp.hpp"
 #include "godobject/godobject.hpp"
+#include "godobject/surfaces/surfaces.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/patch/patch.hpp"

@@ -7,7 +7,7 @@
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
-#include "limitcurve/validate.hpp"
+#include "limitcurve/validate/validate.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fit/model_fit.hpp"
 
-#include "limitcurve/choose.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/validate/choose.hpp"
 #include "tests/complaint.hpp"
 #include "tests/fit/synthetic.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/surface.hpp"
+#include "godobject/surfaces/surfaces.hpp"
 
 #include "tests/godobject/scene.hpp"
 #include "tests/repetitions.hpp"

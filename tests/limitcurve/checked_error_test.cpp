@@ -2,6 +2,7 @@
 // Tables of laws of all kinds, with parameters from their whole range and tolerances that are not powers of ten: none is off by more than it
 // certifies, nor by more than its tolerance.
 #include "limitcurve/laws.hpp"
+#include "limitcurve/measured/samples.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 #include "limitcurve/table.hpp"
 #include "tests/repetitions.hpp"

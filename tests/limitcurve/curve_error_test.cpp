@@ -4,7 +4,7 @@
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/validate.hpp"
+#include "limitcurve/validate/validate.hpp"
 #include "special_values.hpp"
 #include "tests/superellipse.hpp"
 

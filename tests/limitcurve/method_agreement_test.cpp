@@ -2,6 +2,7 @@
 // The evaluators against one another: for random laws and CORs every two methods differ by no more than the sum of the
 // errors they state.
 #include "limitcurve/laws.hpp"
+#include "limitcurve/measured/samples.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/pressure_law.hpp"
-#include "limitcurve/validate.hpp"
+#include "limitcurve/validate/validate.hpp"
 
 #include <gtest/gtest.h>
 

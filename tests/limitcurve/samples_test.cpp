@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/measured/samples.hpp"
 #include "counted_law.hpp"
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/contact/hold_error.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/exact_curve.hpp"
-#include "limitcurve/internal/own_radii.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/measured/own_radii.hpp"
 #include "limitcurve/table.hpp"
 #include "table_errors.hpp"
 #include "tests/complaint.hpp"

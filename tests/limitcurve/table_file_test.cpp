@@ -3,6 +3,7 @@
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/shell_word.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/measured/samples.hpp"
 #include "probes.hpp"
 #include "tests/complaint.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "../../../tests/touch.hpp"
 #include "godobject/soft_finger.hpp"
-#include "godobject/surface.hpp"
+#include "godobject/surfaces/surfaces.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 

@@ -3,7 +3,7 @@
 #include "../failures.hpp"
 
 #include "../../../tests/integrators.hpp"
-#include "godobject/surface.hpp"
+#include "godobject/surfaces/surfaces.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 

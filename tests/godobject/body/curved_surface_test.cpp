@@ -3,6 +3,7 @@
 // spin independently: from forces along the finger's path, and from angles in closed form.
 #include "godobject/body/grasp.hpp"
 #include "godobject/godobject.hpp"
+#include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/body/grasp.hpp"
 
-#include "godobject/surface.hpp"
+#include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/integrators.hpp"
 #include "tests/repetitions.hpp"

@@ -6,6 +6,7 @@
 #include "godobject/friction.hpp"
 #include "godobject/godobject.hpp"
 #include "godobject/scene/replay.hpp"
+#include "godobject/surfaces/surfaces.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
 
 #include <cmath>

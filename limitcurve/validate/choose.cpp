@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/choose.hpp"
+#include "limitcurve/validate/choose.hpp"
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/remembering_law.hpp"
-#include "limitcurve/internal/shipped_costs.hpp"
 #include "limitcurve/table.hpp"
-#include "limitcurve/validate.hpp"
+#include "limitcurve/validate/remembering_law.hpp"
+#include "limitcurve/validate/shipped_costs.hpp"
+#include "limitcurve/validate/validate.hpp"
 
 #include <algorithm>
 #include <array>

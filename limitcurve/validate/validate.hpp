@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "approximations.hpp"
-#include "limit_curve.hpp"
+#include "../approximations.hpp"
+#include "../limit_curve.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "table.hpp"
+#include "../table.hpp"
 
 /// Makes an engine whose friction cone is elliptic find the exact curve: the two coefficients to set after each step.
 namespace limitcurve {

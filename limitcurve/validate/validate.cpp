@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/validate.hpp"
+#include "limitcurve/validate/validate.hpp"
 
 #include <boost/math/tools/minima.hpp>
 

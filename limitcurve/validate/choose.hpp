@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "law.hpp"
+#include "../law.hpp"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/measured/samples.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/own_radii.hpp"
-#include "limitcurve/internal/signed_noise.hpp"
-#include "limitcurve/laws.hpp"
-#include "limitcurve/quadrature/cubic_pieces.hpp"
+#include "limitcurve/measured/cubic_pieces.hpp"
+#include "limitcurve/measured/own_radii.hpp"
+#include "limitcurve/measured/signed_noise.hpp"
+#include "limitcurve/pressure_law.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/quadrature/cubic_pieces.hpp"
+#include "limitcurve/measured/cubic_pieces.hpp"
+
+#include "limitcurve/quadrature/kernels.hpp"
 
 #include <limits>
 #include <utility>
@@ -87,5 +89,33 @@ std::array<CubicPieces::Mass, CubicPieces::order> CubicPieces::gauss_rule(const 
   }
   return rule;
 }
+
+namespace evaluators {
+
+namespace {
+
+template <class Real>
+Quadrature<Real> ring_in(const CubicPieces& pressure, Real s, Slope slope) noexcept {
+  if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
+  const auto [value, error, wavering] =
+      pressure.integrate(s, slope == Slope::wanted ? 3 : 2, [&](Real rho, Real from_cor) { return ring_kernel(rho, s, from_cor); });
+  return {{value[0], value[1], value[2]}, {error[0], error[1], error[2]}};
+}
+
+}  // namespace
+
+Quadrature<Extended> ring(const CubicPieces& pressure, Extended s, Slope slope) noexcept {
+  return ring_in(pressure, s, slope);
+}
+Quadrature<double> ring(const CubicPieces& pressure, double s, Slope slope) noexcept {
+  return ring_in(pressure, s, slope);
+}
+
+Quadrature<double> line_profile(const CubicPieces& pressure, double t) noexcept {
+  const auto [value, error, wavering] = pressure.integrate(t, 2, [&](double rho, double from_t) { return line_kernel(rho, t, from_t); });
+  return {{value[0], value[1], 0.0}, {error[0], error[1], 0.0}};
+}
+
+}  // namespace evaluators
 
 }  // namespace limitcurve

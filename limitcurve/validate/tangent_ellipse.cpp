@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/tangent_ellipse.hpp"
+#include "limitcurve/validate/tangent_ellipse.hpp"
 
 #include <cmath>
 #include <limits>

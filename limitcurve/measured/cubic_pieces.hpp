@@ -2,6 +2,7 @@
 #pragma once
 
 #include "limitcurve/law.hpp"
+#include "limitcurve/pressure_law.hpp"
 #include "limitcurve/quadrature/tanh_sinh.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -151,5 +152,12 @@ class CubicPieces {
   std::vector<Piece> pieces_;
   std::vector<Interval> intervals_;
 };
+
+namespace evaluators {
+/// As for a law (quadrature/evaluators.hpp).
+Quadrature<Extended> ring(const CubicPieces& pressure, Extended s, Slope slope = Slope::wanted) noexcept;
+Quadrature<double> ring(const CubicPieces& pressure, double s, Slope slope = Slope::wanted) noexcept;
+Quadrature<double> line_profile(const CubicPieces& pressure, double t) noexcept;
+}  // namespace evaluators
 
 }  // namespace limitcurve
