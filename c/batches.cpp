@@ -20,17 +20,18 @@ limitcurve_status step(const limitcurve_batch* batch, const Contacts* contacts, 
   if (count == 0) return LIMITCURVE_OK;
   if (is_missing("contacts", contacts)) return LIMITCURVE_INVALID;
   const Contacts& of = *contacts;
-  if (is_missing("x", of.x) || is_missing("y", of.y) || is_missing("twist", of.twist) || is_missing("depth", of.depth) ||
-      is_missing("proxy_x", of.proxy_x) || is_missing("proxy_y", of.proxy_y) || is_missing("proxy_angle", of.proxy_angle) ||
-      is_missing("state", of.state) || is_missing("force_slides", of.force_slides) || is_missing("moment_slides", of.moment_slides) ||
-      is_missing("search_start", of.search_start) || is_missing("search_rate", of.search_rate) || is_missing("fx", of.fx) ||
-      is_missing("fy", of.fy) || is_missing("moment", of.moment))
+  if (is_missing("x", of.x) || is_missing("y", of.y) || is_missing("twist", of.twist) ||
+      is_missing("depth", of.depth) || is_missing("proxy_x", of.proxy_x) || is_missing("proxy_y", of.proxy_y) ||
+      is_missing("proxy_angle", of.proxy_angle) || is_missing("state", of.state) ||
+      is_missing("force_slides", of.force_slides) || is_missing("moment_slides", of.moment_slides) ||
+      is_missing("search_start", of.search_start) || is_missing("search_rate", of.search_rate) ||
+      is_missing("fx", of.fx) || is_missing("fy", of.fy) || is_missing("moment", of.moment))
     return LIMITCURVE_INVALID;
   const auto all = [count](auto* array) { return std::span(array, count); };
   const auto states = [count](std::uint8_t* array) { return std::span(reinterpret_cast<ContactState*>(array), count); };
-  of_real->step({all(of.x), all(of.y), all(of.twist), all(of.depth), all(of.proxy_x), all(of.proxy_y), all(of.proxy_angle),
-                 states(of.state), states(of.force_slides), states(of.moment_slides), all(of.search_start), all(of.search_rate), all(of.fx),
-                 all(of.fy), all(of.moment)});
+  of_real->step({all(of.x), all(of.y), all(of.twist), all(of.depth), all(of.proxy_x), all(of.proxy_y),
+                 all(of.proxy_angle), states(of.state), states(of.force_slides), states(of.moment_slides),
+                 all(of.search_start), all(of.search_rate), all(of.fx), all(of.fy), all(of.moment)});
   return LIMITCURVE_OK;
 }
 
@@ -39,14 +40,18 @@ limitcurve_status step(const limitcurve_batch* batch, const Contacts* contacts, 
 limitcurve_status limitcurve_batch_new(const limitcurve_table* table, const limitcurve_finger_parameters* parameters,
                                        limitcurve_projection projection, limitcurve_batch** batch) {
   if (is_no_handle("table", table) || is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
-  return make_handle(batch, [&] { return limitcurve_batch{Batch(table->curve, parameters_of(*parameters), projection_of(projection))}; });
+  return make_handle(batch, [&] {
+    return limitcurve_batch{Batch(table->curve, parameters_of(*parameters), projection_of(projection))};
+  });
 }
 
-limitcurve_status limitcurve_batch_new_float(const limitcurve_law* law, double tolerance, const limitcurve_finger_parameters* parameters,
+limitcurve_status limitcurve_batch_new_float(const limitcurve_law* law, double tolerance,
+                                             const limitcurve_finger_parameters* parameters,
                                              limitcurve_projection projection, limitcurve_batch** batch) {
   if (is_no_handle("law", law) || is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
   return make_handle(batch, [&] {
-    return limitcurve_batch{FloatBatch(FloatTable::build(law->law, tolerance), parameters_of(*parameters), projection_of(projection))};
+    return limitcurve_batch{
+        FloatBatch(FloatTable::build(law->law, tolerance), parameters_of(*parameters), projection_of(projection))};
   });
 }
 
@@ -54,10 +59,12 @@ void limitcurve_batch_free(limitcurve_batch* batch) {
   free_handle(batch);
 }
 
-limitcurve_status limitcurve_batch_step(const limitcurve_batch* batch, const limitcurve_contacts* contacts, size_t count) {
+limitcurve_status limitcurve_batch_step(const limitcurve_batch* batch, const limitcurve_contacts* contacts,
+                                        size_t count) {
   return step<double>(batch, contacts, count);
 }
 
-limitcurve_status limitcurve_batch_step_float(const limitcurve_batch* batch, const limitcurve_contacts_float* contacts, size_t count) {
+limitcurve_status limitcurve_batch_step_float(const limitcurve_batch* batch, const limitcurve_contacts_float* contacts,
+                                              size_t count) {
   return step<float>(batch, contacts, count);
 }

@@ -35,8 +35,8 @@ limitcurve_status limitcurve_law_parse(const char* text, limitcurve_law** law) {
   });
 }
 
-limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count, const char* source, double rim,
-                                         limitcurve_law** law) {
+limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count, const char* source,
+                                         double rim, limitcurve_law** law) {
   if (is_missing("source", source)) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("radii", radii) || is_missing("pressures", pressures))) return LIMITCURVE_INVALID;
   return make_handle(law, [&] {
@@ -61,13 +61,13 @@ limitcurve_status limitcurve_law_moment_ratio(const limitcurve_law* law, double*
   return LIMITCURVE_OK;
 }
 
-limitcurve_status limitcurve_law_evaluate(const limitcurve_law* law, const double* cors, size_t count, double* forces, double* moments,
-                                          double* force_errors, double* moment_errors) {
+limitcurve_status limitcurve_law_evaluate(const limitcurve_law* law, const double* cors, size_t count, double* forces,
+                                          double* moments, double* force_errors, double* moment_errors) {
   if (is_no_handle("law", law) || refuse_arrays(cors, count, forces, moments)) return LIMITCURVE_INVALID;
   for (std::size_t i = 0; i < count; ++i) {
-    const WrenchEstimate estimate = std::isnan(cors[i])
-                                        ? WrenchEstimate{{not_a_number, not_a_number}, {not_a_number, not_a_number}, not_a_number}
-                                        : law->law->evaluate(cors[i]);
+    const WrenchEstimate estimate =
+        std::isnan(cors[i]) ? WrenchEstimate{{not_a_number, not_a_number}, {not_a_number, not_a_number}, not_a_number}
+                            : law->law->evaluate(cors[i]);
     forces[i] = estimate.wrench.force;
     moments[i] = estimate.wrench.moment;
     if (force_errors != nullptr) force_errors[i] = estimate.error.force;
@@ -92,7 +92,8 @@ limitcurve_status limitcurve_table_box(double force_max, double moment_max, limi
   return make_handle(table, [&] { return limitcurve_table{box(force_max, moment_max)}; });
 }
 
-limitcurve_status limitcurve_table_read_csv(const char* text, size_t length, const char* source, limitcurve_table** table) {
+limitcurve_status limitcurve_table_read_csv(const char* text, size_t length, const char* source,
+                                            limitcurve_table** table) {
   if (is_missing("text", text) || is_missing("source", source)) return LIMITCURVE_INVALID;
   return make_handle(table, [&] {
     const Table read = read_table_csv(std::string_view(text, length), source);
@@ -123,12 +124,13 @@ limitcurve_status limitcurve_table_bytes(const limitcurve_table* table, size_t* 
   return LIMITCURVE_OK;
 }
 
-limitcurve_status limitcurve_table_evaluate(const limitcurve_table* table, const double* cors, size_t count, double* forces,
-                                            double* moments) {
+limitcurve_status limitcurve_table_evaluate(const limitcurve_table* table, const double* cors, size_t count,
+                                            double* forces, double* moments) {
   if (is_no_handle("table", table) || refuse_arrays(cors, count, forces, moments)) return LIMITCURVE_INVALID;
   const auto write = [&](const auto& curve) {
     for (std::size_t i = 0; i < count; ++i) {
-      const UnitWrench wrench = std::isnan(cors[i]) ? UnitWrench{not_a_number, not_a_number} : curve.wrench({cors[i], 1.0});
+      const UnitWrench wrench =
+          std::isnan(cors[i]) ? UnitWrench{not_a_number, not_a_number} : curve.wrench({cors[i], 1.0});
       forces[i] = wrench.force;
       moments[i] = wrench.moment;
     }
@@ -137,8 +139,8 @@ limitcurve_status limitcurve_table_evaluate(const limitcurve_table* table, const
   return LIMITCURVE_OK;
 }
 
-limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces, const double* moments, size_t count,
-                                         double* gauges) {
+limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces, const double* moments,
+                                         size_t count, double* gauges) {
   if (is_no_handle("table", table)) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("forces", forces) || is_missing("moments", moments) || is_missing("gauges", gauges)))
     return LIMITCURVE_INVALID;
@@ -153,8 +155,9 @@ limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const do
   return LIMITCURVE_OK;
 }
 
-limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, const limitcurve_finger_parameters* contact,
-                                                const double* forces, const double* moments, size_t count, double* loads) {
+limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table,
+                                                const limitcurve_finger_parameters* contact, const double* forces,
+                                                const double* moments, size_t count, double* loads) {
   if (is_no_handle("table", table) || is_missing("contact", contact)) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("forces", forces) || is_missing("moments", moments) || is_missing("loads", loads)))
     return LIMITCURVE_INVALID;
@@ -164,7 +167,8 @@ limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, c
     ContactFriction friction{.mu = parameters.mu, .mu_r = parameters.mu_r, .gamma = parameters.gamma};
     if (!friction.mu_r) friction.radius_law = parameters.radius_law;
     const auto write = [&](const auto& curve) {
-      static_cast<void>(load_to_hold(curve, friction, 0.0, 0.0));  // what is wrong with the contact, before anything is written
+      static_cast<void>(
+          load_to_hold(curve, friction, 0.0, 0.0));  // what is wrong with the contact, before anything is written
       for (std::size_t i = 0; i < count; ++i) loads[i] = load_to_hold(curve, friction, forces[i], moments[i]);
     };
     table->table ? write(*table->table) : write(table->curve);

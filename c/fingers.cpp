@@ -39,7 +39,8 @@ static_assert(members.size() == finger_parameter_table.size());
 }  // namespace
 
 FingerParameters parameters_of(const limitcurve_finger_parameters& given) {
-  if (given.radius_law == nullptr && std::isnan(given.mu_r)) throw std::invalid_argument("radius_law: got NULL, expected it, or mu_r");
+  if (given.radius_law == nullptr && std::isnan(given.mu_r))
+    throw std::invalid_argument("radius_law: got NULL, expected it, or mu_r");
   return parameters_of(given, FingerParameters().radius_law);
 }
 
@@ -71,7 +72,8 @@ Projection projection_of(limitcurve_projection projection) {
 
 namespace {
 
-static_assert(static_cast<int>(Fault::none) == LIMITCURVE_FAULT_NONE && static_cast<int>(Fault::force) == LIMITCURVE_FAULT_FORCE);
+static_assert(static_cast<int>(Fault::none) == LIMITCURVE_FAULT_NONE &&
+              static_cast<int>(Fault::force) == LIMITCURVE_FAULT_FORCE);
 
 void copy(const Eigen::Vector3d& from, double (&to)[3]) noexcept {
   std::copy_n(from.data(), 3, to);
@@ -104,7 +106,8 @@ Orientation orientation_of(const double* given) noexcept {
 template <class Step>
 limitcurve_status step(const limitcurve_finger* finger, const limitcurve_contact* contact, const void* held,
                        limitcurve_finger_output* output, const Step& take) {
-  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("orientation", held) || is_missing("output", output))
+  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("orientation", held) ||
+      is_missing("output", output))
     return LIMITCURVE_INVALID;
   write(take(), *output);
   return LIMITCURVE_OK;
@@ -115,14 +118,17 @@ bool is_limit(double force, double radius) noexcept {
 }
 
 /// Checks the friction limits; a static text names the error.
-const char* fault_of(const limitcurve_limits& limits, double force, double moment, const limitcurve_memory& memory) noexcept {
+const char* fault_of(const limitcurve_limits& limits, double force, double moment,
+                     const limitcurve_memory& memory) noexcept {
   if (!is_limit(limits.force, limits.radius) || !is_limit(limits.sliding_force, limits.sliding_radius))
     return "expected finite forces >= 0 and radii >= 0";
   // The moments of a finger are products of rounded numbers.
   constexpr double rounded = 1.0 + 1e-12;
-  if (limits.sliding_force > limits.force || limits.sliding_force * limits.sliding_radius > limits.force * limits.radius * rounded)
+  if (limits.sliding_force > limits.force ||
+      limits.sliding_force * limits.sliding_radius > limits.force * limits.radius * rounded)
     return "sliding_force, and sliding_force times sliding_radius: expected not more than at rest";
-  if (!(limits.stiffness_ratio > 0.0 && std::isfinite(limits.stiffness_ratio))) return "stiffness_ratio: expected a finite number > 0";
+  if (!(limits.stiffness_ratio > 0.0 && std::isfinite(limits.stiffness_ratio)))
+    return "stiffness_ratio: expected a finite number > 0";
   const auto is_fraction = [](double fraction) { return fraction >= 0.0 && fraction <= 1.0; };
   if (!is_fraction(limits.force_stick_fraction) || !is_fraction(limits.moment_stick_fraction))
     return "force_stick_fraction and moment_stick_fraction: expected numbers from 0 to 1";
@@ -135,22 +141,27 @@ const char* fault_of(const limitcurve_limits& limits, double force, double momen
 }  // namespace
 
 limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limitcurve_projection projection,
-                                            const limitcurve_limits* limits, double force, double moment, limitcurve_memory* memory,
-                                            limitcurve_friction* friction) {
-  if (is_no_handle("table", table) || is_missing("limits", limits) || is_missing("memory", memory) || is_missing("friction", friction))
+                                            const limitcurve_limits* limits, double force, double moment,
+                                            limitcurve_memory* memory, limitcurve_friction* friction) {
+  if (is_no_handle("table", table) || is_missing("limits", limits) || is_missing("memory", memory) ||
+      is_missing("friction", friction))
     return LIMITCURVE_INVALID;
-  if (projection < LIMITCURVE_RADIAL || projection > LIMITCURVE_CLOSEST_POINT) return refuse("projection", "expected 0, 1 or 2");
-  if (table->curve.is_box() && projection != LIMITCURVE_CLOSEST_POINT) return refuse("projection", "a box goes with closest-point only");
+  if (projection < LIMITCURVE_RADIAL || projection > LIMITCURVE_CLOSEST_POINT)
+    return refuse("projection", "expected 0, 1 or 2");
+  if (table->curve.is_box() && projection != LIMITCURVE_CLOSEST_POINT)
+    return refuse("projection", "a box goes with closest-point only");
   if (const char* const fault = fault_of(*limits, force, moment, *memory)) return refuse("friction", fault);
   const FrictionLimits<double> acting{{limits->force, limits->radius},
                                       {limits->sliding_force, limits->sliding_radius},
                                       limits->stiffness_ratio,
                                       limits->force_stick_fraction,
                                       limits->moment_stick_fraction};
-  FrictionMemory<double> remembered{memory->force_slides != 0, memory->moment_slides != 0, memory->search_start, memory->search_rate};
-  const auto result =
-      apply_friction(table->curve.view(), static_cast<Projection>(projection), acting, FrictionTrial<double>{force, moment}, remembered);
-  *memory = {remembered.search_start, remembered.search_rate, remembered.force_slides ? 1 : 0, remembered.moment_slides ? 1 : 0};
+  FrictionMemory<double> remembered{memory->force_slides != 0, memory->moment_slides != 0, memory->search_start,
+                                    memory->search_rate};
+  const auto result = apply_friction(table->curve.view(), static_cast<Projection>(projection), acting,
+                                     FrictionTrial<double>{force, moment}, remembered);
+  *memory = {remembered.search_start, remembered.search_rate, remembered.force_slides ? 1 : 0,
+             remembered.moment_slides ? 1 : 0};
   *friction = {result.force_fraction, result.moment_fraction, result.cor, result.slips ? 1 : 0};
   return LIMITCURVE_OK;
 }
@@ -169,58 +180,67 @@ limitcurve_finger_parameters limitcurve_finger_defaults(void) {
 limitcurve_status limitcurve_finger_new(const limitcurve_table* table, const limitcurve_finger_parameters* parameters,
                                         limitcurve_projection projection, limitcurve_finger** finger) {
   if (is_no_handle("table", table) || is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
-  return make_handle(finger,
-                     [&] { return limitcurve_finger{SoftFinger(table->curve, parameters_of(*parameters), projection_of(projection))}; });
+  return make_handle(finger, [&] {
+    return limitcurve_finger{SoftFinger(table->curve, parameters_of(*parameters), projection_of(projection))};
+  });
 }
 
-limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch, const limitcurve_finger_parameters* parameters,
-                                              double point_radius, limitcurve_finger** finger) {
+limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch,
+                                              const limitcurve_finger_parameters* parameters, double point_radius,
+                                              limitcurve_finger** finger) {
   if (is_no_handle("patch", patch) || is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
   limitcurve_finger_parameters own = *parameters;
   own.radius_law = limitcurve_finger_defaults().radius_law;  // a patch has its own size
-  return make_handle(finger, [&] { return limitcurve_finger{SoftFinger(patch->patch, parameters_of(own), point_radius)}; });
+  return make_handle(finger,
+                     [&] { return limitcurve_finger{SoftFinger(patch->patch, parameters_of(own), point_radius)}; });
 }
 
 void limitcurve_finger_free(limitcurve_finger* finger) {
   free_handle(finger);
 }
 
-limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
-                                           limitcurve_finger_output* output) {
-  return step(finger, contact, contact, output, [&] { return finger->finger.update(contact_of(*contact), contact->twist, time_step); });
+limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact,
+                                           double time_step, limitcurve_finger_output* output) {
+  return step(finger, contact, contact, output,
+              [&] { return finger->finger.update(contact_of(*contact), contact->twist, time_step); });
 }
 
-limitcurve_status limitcurve_finger_update_pose(limitcurve_finger* finger, const limitcurve_contact* contact, const double orientation[4],
-                                                double time_step, limitcurve_finger_output* output) {
+limitcurve_status limitcurve_finger_update_pose(limitcurve_finger* finger, const limitcurve_contact* contact,
+                                                const double orientation[4], double time_step,
+                                                limitcurve_finger_output* output) {
   return step(finger, contact, orientation, output,
               [&] { return finger->finger.update(contact_of(*contact), orientation_of(orientation), time_step); });
 }
 
-limitcurve_status limitcurve_finger_preview(const limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
-                                            limitcurve_finger_output* output) {
-  return step(finger, contact, contact, output, [&] { return finger->finger.preview(contact_of(*contact), contact->twist, time_step); });
+limitcurve_status limitcurve_finger_preview(const limitcurve_finger* finger, const limitcurve_contact* contact,
+                                            double time_step, limitcurve_finger_output* output) {
+  return step(finger, contact, contact, output,
+              [&] { return finger->finger.preview(contact_of(*contact), contact->twist, time_step); });
 }
 
 limitcurve_status limitcurve_finger_preview_pose(const limitcurve_finger* finger, const limitcurve_contact* contact,
-                                                 const double orientation[4], double time_step, limitcurve_finger_output* output) {
+                                                 const double orientation[4], double time_step,
+                                                 limitcurve_finger_output* output) {
   return step(finger, contact, orientation, output,
               [&] { return finger->finger.preview(contact_of(*contact), orientation_of(orientation), time_step); });
 }
 
-limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact, double load,
-                                                      double time_step, limitcurve_finger_output* output) {
+limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact,
+                                                      double load, double time_step, limitcurve_finger_output* output) {
   return step(finger, contact, contact, output, [&] {
     const Contact touched = contact_of(*contact);
-    return finger->finger.update_under_load(touched.point, touched.normal, load, contact->twist, time_step, touched.landed);
+    return finger->finger.update_under_load(touched.point, touched.normal, load, contact->twist, time_step,
+                                            touched.landed);
   });
 }
 
-limitcurve_status limitcurve_finger_update_under_load_pose(limitcurve_finger* finger, const limitcurve_contact* contact, double load,
-                                                           const double orientation[4], double time_step,
+limitcurve_status limitcurve_finger_update_under_load_pose(limitcurve_finger* finger, const limitcurve_contact* contact,
+                                                           double load, const double orientation[4], double time_step,
                                                            limitcurve_finger_output* output) {
   return step(finger, contact, orientation, output, [&] {
     const Contact touched = contact_of(*contact);
-    return finger->finger.update_under_load(touched.point, touched.normal, load, orientation_of(orientation), time_step, touched.landed);
+    return finger->finger.update_under_load(touched.point, touched.normal, load, orientation_of(orientation), time_step,
+                                            touched.landed);
   });
 }
 
@@ -264,8 +284,8 @@ limitcurve_status limitcurve_finger_centre_of_rotation(const limitcurve_finger* 
   return LIMITCURVE_OK;
 }
 
-limitcurve_status limitcurve_device_damping_needed(const limitcurve_finger_parameters* parameters, double sample_time, int delay,
-                                                   double* sliding, double* twist) {
+limitcurve_status limitcurve_device_damping_needed(const limitcurve_finger_parameters* parameters, double sample_time,
+                                                   int delay, double* sliding, double* twist) {
   if (is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
   return guarded([&] {
     const DeviceDamping needed = device_damping_needed(parameters_of(*parameters), sample_time, delay);
@@ -274,8 +294,8 @@ limitcurve_status limitcurve_device_damping_needed(const limitcurve_finger_param
   });
 }
 
-limitcurve_status limitcurve_require_passive(const limitcurve_finger_parameters* parameters, double sample_time, int delay, double sliding,
-                                             double twist) {
+limitcurve_status limitcurve_require_passive(const limitcurve_finger_parameters* parameters, double sample_time,
+                                             int delay, double sliding, double twist) {
   if (is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
   return guarded([&] { require_passive(parameters_of(*parameters), sample_time, {sliding, twist}, delay); });
 }

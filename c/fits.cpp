@@ -29,9 +29,9 @@ const fit::Estimate* estimate_of(const limitcurve_fit* fit, std::size_t index) n
 
 }  // namespace
 
-limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, const double* forces, const double* moments,
-                                       const double* sigma_forces, const double* sigma_moments, size_t count, const limitcurve_law* law,
-                                       double gamma, limitcurve_fit** fit) {
+limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, const double* forces,
+                                       const double* moments, const double* sigma_forces, const double* sigma_moments,
+                                       size_t count, const limitcurve_law* law, double gamma, limitcurve_fit** fit) {
   if (is_missing("model", model) || (law != nullptr && is_no_handle("law", law))) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("loads", loads) || is_missing("forces", forces) || is_missing("moments", moments)))
     return LIMITCURVE_INVALID;
@@ -51,11 +51,13 @@ limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, c
   });
 }
 
-limitcurve_status limitcurve_fit_radii(const double* loads, const double* radii, const double* sigmas, size_t count, limitcurve_fit** fit) {
+limitcurve_status limitcurve_fit_radii(const double* loads, const double* radii, const double* sigmas, size_t count,
+                                       limitcurve_fit** fit) {
   if (count > 0 && (is_missing("loads", loads) || is_missing("radii", radii))) return LIMITCURVE_INVALID;
   return make_handle(fit, [&] {
     fit::LoadSamples samples;
-    for (std::size_t i = 0; i < count; ++i) samples.samples.push_back({loads[i], radii[i], sigmas == nullptr ? 0.0 : sigmas[i]});
+    for (std::size_t i = 0; i < count; ++i)
+      samples.samples.push_back({loads[i], radii[i], sigmas == nullptr ? 0.0 : sigmas[i]});
     return converged(fit::fit_model("load", samples));
   });
 }
@@ -81,8 +83,8 @@ size_t limitcurve_fit_count(const limitcurve_fit* fit) {
   return is_no_handle("fit", fit) ? 0 : fit->found.report.estimates.size();
 }
 
-limitcurve_status limitcurve_fit_estimate(const limitcurve_fit* fit, size_t index, const char** name, double* value, double* std_error,
-                                          const char** unit) {
+limitcurve_status limitcurve_fit_estimate(const limitcurve_fit* fit, size_t index, const char** name, double* value,
+                                          double* std_error, const char** unit) {
   if (is_no_handle("fit", fit)) return LIMITCURVE_INVALID;
   const fit::Estimate* const estimate = estimate_of(fit, index);
   if (estimate == nullptr) return refuse("index", "expected less than limitcurve_fit_count()");
@@ -105,8 +107,8 @@ limitcurve_status refuse_fits() noexcept {
 
 }  // namespace
 
-limitcurve_status limitcurve_fit_slips(const char*, const double*, const double*, const double*, const double*, const double*, size_t,
-                                       const limitcurve_law*, double, limitcurve_fit**) {
+limitcurve_status limitcurve_fit_slips(const char*, const double*, const double*, const double*, const double*,
+                                       const double*, size_t, const limitcurve_law*, double, limitcurve_fit**) {
   return refuse_fits();
 }
 limitcurve_status limitcurve_fit_radii(const double*, const double*, const double*, size_t, limitcurve_fit**) {

@@ -34,15 +34,16 @@ limitcurve_status refuse(const char* name, const char* what) noexcept {
 limitcurve_status refuse(const char* name, std::size_t index, double value, const char* expected) noexcept {
   std::array<char, 32> number{};
   std::to_chars(number.data(), number.data() + number.size() - 1, value);
-  std::snprintf(last_message.data(), last_message.size(), "%s[%zu]: got %s, expected %s", name, index, number.data(), expected);
+  std::snprintf(last_message.data(), last_message.size(), "%s[%zu]: got %s, expected %s", name, index, number.data(),
+                expected);
   return LIMITCURVE_INVALID;
 }
 
 limitcurve_status refuse(std::string_view name, double value, std::string_view expected) noexcept {
   std::array<char, 32> number{};
   std::to_chars(number.data(), number.data() + number.size() - 1, value);
-  std::snprintf(last_message.data(), last_message.size(), "%.*s: got %s, expected %.*s", static_cast<int>(name.size()), name.data(),
-                number.data(), static_cast<int>(expected.size()), expected.data());
+  std::snprintf(last_message.data(), last_message.size(), "%.*s: got %s, expected %.*s", static_cast<int>(name.size()),
+                name.data(), number.data(), static_cast<int>(expected.size()), expected.data());
   return LIMITCURVE_INVALID;
 }
 

@@ -24,7 +24,8 @@ limitcurve_status refuse(std::string_view name, double value, std::string_view e
 
 /// Whether one of the caller's numbers is not finite; refuses it.
 inline bool refuse_numbers(const char* name, const double* numbers, std::size_t count) noexcept {
-  const double* const bad = std::find_if(numbers, numbers + count, [](double number) { return !std::isfinite(number); });
+  const double* const bad =
+      std::find_if(numbers, numbers + count, [](double number) { return !std::isfinite(number); });
   if (bad == numbers + count) return false;
   refuse(name, static_cast<std::size_t>(bad - numbers), *bad, "a finite number");
   return true;

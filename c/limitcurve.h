@@ -2,27 +2,30 @@
 #ifndef LIMITCURVE_H
 #define LIMITCURVE_H
 
-/* limitcurve for C and for every language that calls C: friction limit curves of soft fingers, and a soft-finger god-object.
- * C99. Link with liblimitcurve-c. README.md beside this header has an example; examples/limitcurve.cs has the declarations for C#.
+/* limitcurve for C and for every language that calls C: friction limit curves of soft fingers, and a soft-finger
+ * god-object. C99. Link with liblimitcurve-c. README.md beside this header has an example; examples/limitcurve.cs has
+ * the declarations for C#.
  *
- * Units are SI: m, rad, N, N m, s. A unit wrench is a force in units of mu P and a moment in units of mu P a (friction coefficient mu,
- * load P, contact radius a), both magnitudes >= 0. A centre of rotation (COR) is given by its distance from the contact's centre.
+ * Units are SI: m, rad, N, N m, s. A unit wrench is a force in units of mu P and a moment in units of mu P a (friction
+ * coefficient mu, load P, contact radius a), both magnitudes >= 0. A centre of rotation (COR) is given by its distance
+ * from the contact's centre.
  *
- * Errors. A function that can fail returns a limitcurve_status, with the values of the command line's exit codes. If it is not
- * LIMITCURVE_OK, nothing was written through the caller's pointers, and limitcurve_error() has a line with the argument, its value and
- * the expected values. No exception crosses this interface. NULL instead of a handle, a text or an array is LIMITCURVE_INVALID; arrays
- * of length 0 may be NULL.
+ * Errors. A function that can fail returns a limitcurve_status, with the values of the command line's exit codes. If it
+ * is not LIMITCURVE_OK, nothing was written through the caller's pointers, and limitcurve_error() has a line with the
+ * argument, its value and the expected values. No exception crosses this interface. NULL instead of a handle, a text or
+ * an array is LIMITCURVE_INVALID; arrays of length 0 may be NULL.
  *
- * Ownership. The caller owns the handles that functions create, and frees each once with the function of its kind (NULL is ignored). The
- * library reads the caller's texts and arrays only during the call. Texts that a function returns belong to their handle. A handle stays
- * valid if the handles that it was made from are freed. A library built without NDEBUG rejects freed handles.
+ * Ownership. The caller owns the handles that functions create, and frees each once with the function of its kind (NULL
+ * is ignored). The library reads the caller's texts and arrays only during the call. Texts that a function returns
+ * belong to their handle. A handle stays valid if the handles that it was made from are freed. A library built without
+ * NDEBUG rejects freed handles.
  *
- * Threads. Laws, tables, batches, patches and fits are immutable: any number of threads may share them. Use a finger from one thread at a
- * time; distinct fingers need no lock. Errors are per thread.
+ * Threads. Laws, tables, batches, patches and fits are immutable: any number of threads may share them. Use a finger
+ * from one thread at a time; distinct fingers need no lock. Errors are per thread.
  *
- * Real time. Functions marked [real time] take bounded time, and do not allocate, lock or throw. Call all others before or after the loop.
- * The text of an error is in thread-local storage. If the library was loaded by dlopen, the first error of a thread may allocate it: call
- * limitcurve_error() once in each thread before its loop. */
+ * Real time. Functions marked [real time] take bounded time, and do not allocate, lock or throw. Call all others before
+ * or after the loop. The text of an error is in thread-local storage. If the library was loaded by dlopen, the first
+ * error of a thread may allocate it: call limitcurve_error() once in each thread before its loop. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -45,7 +48,8 @@ typedef enum limitcurve_status {
   LIMITCURVE_INVALID = 2 /* an argument is wrong */
 } limitcurve_status;
 
-/* One line about the last call of this thread that failed; "" before the first. Valid until this thread's next failure. */
+/* One line about the last call of this thread that failed; "" before the first. Valid until this thread's next failure.
+ */
 LIMITCURVE_API const char* limitcurve_error(void);
 
 /* "MAJOR.MINOR.PATCH". */
@@ -55,15 +59,16 @@ LIMITCURVE_API const char* limitcurve_version(void);
 
 typedef struct limitcurve_law limitcurve_law;
 
-/* A law in the command line's grammar: "hertz", "uniform", "power:n=2.3", "mix:0.7*hertz+0.3*uniform"; for a measured one use
- * limitcurve_law_samples. */
+/* A law in the command line's grammar: "hertz", "uniform", "power:n=2.3", "mix:0.7*hertz+0.3*uniform"; for a measured
+ * one use limitcurve_law_samples. */
 LIMITCURVE_API limitcurve_status limitcurve_law_parse(const char* text, limitcurve_law** law);
 
-/* A measured profile: pressures (any unit) at `count` >= 4 radii (any unit) that do not decrease. `rim` is the radius, in that unit, that
- * the contact radius stands for; 0: the last radius with pressure, which is wrong if noise or an offset of the sensor goes on beyond the
- * contact. Negative pressures are noise: pressures up to 1.5 times the most negative count as 0. `source` is its name. */
-LIMITCURVE_API limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count, const char* source,
-                                                        double rim, limitcurve_law** law);
+/* A measured profile: pressures (any unit) at `count` >= 4 radii (any unit) that do not decrease. `rim` is the radius,
+ * in that unit, that the contact radius stands for; 0: the last radius with pressure, which is wrong if noise or an
+ * offset of the sensor goes on beyond the contact. Negative pressures are noise: pressures up to 1.5 times the most
+ * negative count as 0. `source` is its name. */
+LIMITCURVE_API limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count,
+                                                        const char* source, double rim, limitcurve_law** law);
 
 LIMITCURVE_API void limitcurve_law_free(limitcurve_law* law);
 
@@ -73,50 +78,54 @@ LIMITCURVE_API const char* limitcurve_law_name(const limitcurve_law* law);
 /* m0: the unit moment of a pure twist. */
 LIMITCURVE_API limitcurve_status limitcurve_law_moment_ratio(const limitcurve_law* law, double* moment_ratio);
 
-/* Unit wrenches at `count` COR distances in contact radii, each in [0, inf] (NaN gives NaN): forces and moments, and bounds on their
- * absolute errors, which may be NULL. Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature (<= 2e-14 where long double is double).
- * The outputs may be `cors` itself. */
-LIMITCURVE_API limitcurve_status limitcurve_law_evaluate(const limitcurve_law* law, const double* cors, size_t count, double* forces,
-                                                         double* moments, double* force_errors, double* moment_errors);
+/* Unit wrenches at `count` COR distances in contact radii, each in [0, inf] (NaN gives NaN): forces and moments, and
+ * bounds on their absolute errors, which may be NULL. Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature
+ * (<= 2e-14 where long double is double). The outputs may be `cors` itself. */
+LIMITCURVE_API limitcurve_status limitcurve_law_evaluate(const limitcurve_law* law, const double* cors, size_t count,
+                                                         double* forces, double* moments, double* force_errors,
+                                                         double* moment_errors);
 
 /* ---- Limit curves that drive a finger ---- */
 
 /* A limit curve for a loop: the table of a law, or an ellipse or a box in its place. */
 typedef struct limitcurve_table limitcurve_table;
 
-/* The table of `law` with an error of force and moment of at most tolerance * max(1, m0), tolerance in [1e-14, 0.1]. Milliseconds in closed
- * form, up to seconds by quadrature. */
-LIMITCURVE_API limitcurve_status limitcurve_table_build(const limitcurve_law* law, double tolerance, limitcurve_table** table);
+/* The table of `law` with an error of force and moment of at most tolerance * max(1, m0), tolerance in [1e-14, 0.1].
+ * Milliseconds in closed form, up to seconds by quadrature. */
+LIMITCURVE_API limitcurve_status limitcurve_table_build(const limitcurve_law* law, double tolerance,
+                                                        limitcurve_table** table);
 
 /* The ellipse with these semi-axes, in unit wrenches: (1, m0) is the usual one. */
-LIMITCURVE_API limitcurve_status limitcurve_table_ellipse(double force_max, double moment_max, limitcurve_table** table);
+LIMITCURVE_API limitcurve_status limitcurve_table_ellipse(double force_max, double moment_max,
+                                                          limitcurve_table** table);
 
 /* Separate limits of force and moment; only with LIMITCURVE_CLOSEST_POINT. */
 LIMITCURVE_API limitcurve_status limitcurve_table_box(double force_max, double moment_max, limitcurve_table** table);
 
 /* Reads a table from `limitcurve table -o FILE.csv` or limitcurve_table_csv. Error messages call the text `source`. */
-LIMITCURVE_API limitcurve_status limitcurve_table_read_csv(const char* text, size_t length, const char* source, limitcurve_table** table);
+LIMITCURVE_API limitcurve_status limitcurve_table_read_csv(const char* text, size_t length, const char* source,
+                                                           limitcurve_table** table);
 
 /* The table as CSV. NULL for an ellipse or a box, or without memory. */
 LIMITCURVE_API const char* limitcurve_table_csv(const limitcurve_table* table);
 
 LIMITCURVE_API void limitcurve_table_free(limitcurve_table* table);
 
-/* Bound on the absolute error of unit force and moment against the law, to which a measured pressure adds its own (limitcurve_law_evaluate);
- * 0 for an ellipse or a box. */
+/* Bound on the absolute error of unit force and moment against the law, to which a measured pressure adds its own
+ * (limitcurve_law_evaluate); 0 for an ellipse or a box. */
 LIMITCURVE_API limitcurve_status limitcurve_table_checked_error(const limitcurve_table* table, double* error);
 
 /* Bytes that a look-up may touch; 0 for an ellipse or a box. */
 LIMITCURVE_API limitcurve_status limitcurve_table_bytes(const limitcurve_table* table, size_t* bytes);
 
 /* As limitcurve_law_evaluate, from the table. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_table_evaluate(const limitcurve_table* table, const double* cors, size_t count, double* forces,
-                                                           double* moments);
+LIMITCURVE_API limitcurve_status limitcurve_table_evaluate(const limitcurve_table* table, const double* cors,
+                                                           size_t count, double* forces, double* moments);
 
-/* Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Forces and moments are
- * finite; signs are ignored. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces, const double* moments,
-                                                        size_t count, double* gauges);
+/* Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Forces
+ * and moments are finite; signs are ignored. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces,
+                                                        const double* moments, size_t count, double* gauges);
 
 /* ---- Friction ---- */
 
@@ -130,13 +139,15 @@ typedef int limitcurve_projection; /* one of these; an int, so that any other nu
 
 /* Friction limits at the current load. */
 typedef struct limitcurve_limits {
-  double force;                 /* at rest: mu P [N] >= 0 ... */
-  double radius;                /* ... and a [m] >= 0: the unit curve grows by force, and by force * radius */
-  double sliding_force;         /* while it slips: neither the force ... */
-  double sliding_radius;        /* ... nor force * radius is larger than at rest; the radius may be */
-  double stiffness_ratio;       /* k_l/k_r of the springs [1/m^2] > 0 */
-  double force_stick_fraction;  /* in [0, 1]: a sliding contact comes to rest if its trial is within this fraction of its limit, ... */
-  double moment_stick_fraction; /* ... or this one, if it is smaller; on a box force and moment each have their own. 1: at once */
+  double force;                /* at rest: mu P [N] >= 0 ... */
+  double radius;               /* ... and a [m] >= 0: the unit curve grows by force, and by force * radius */
+  double sliding_force;        /* while it slips: neither the force ... */
+  double sliding_radius;       /* ... nor force * radius is larger than at rest; the radius may be */
+  double stiffness_ratio;      /* k_l/k_r of the springs [1/m^2] > 0 */
+  double force_stick_fraction; /* in [0, 1]: a sliding contact comes to rest if its trial is within this fraction of its
+                                  limit, ... */
+  double moment_stick_fraction; /* ... or this one, if it is smaller; on a box force and moment each have their own. 1:
+                                   at once */
 } limitcurve_limits;
 
 /* State of a contact's friction between steps; all 0 at first. */
@@ -154,9 +165,10 @@ typedef struct limitcurve_friction {
   int slips;              /* in this step */
 } limitcurve_friction;
 
-/* For simulators with springs of their own: the fraction of a trial force [N] and moment [N m], both finite, within the friction
- * limit. LIMITCURVE_C_CURVE is radial here, because there is no radius law. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limitcurve_projection projection,
+/* For simulators with springs of their own: the fraction of a trial force [N] and moment [N m], both finite, within the
+ * friction limit. LIMITCURVE_C_CURVE is radial here, because there is no radius law. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_table* table,
+                                                           limitcurve_projection projection,
                                                            const limitcurve_limits* limits, double force, double moment,
                                                            limitcurve_memory* memory, limitcurve_friction* friction);
 
@@ -166,26 +178,31 @@ LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_tabl
 typedef struct limitcurve_finger_parameters {
   double mu;              /* coefficient of static friction >= 0 */
   double mu_dynamic;      /* while slipping, in [0, mu]; NaN: mu */
-  const char* radius_law; /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; may be NULL if mu_r is given */
-  double mu_r;            /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), instead of the radius law's; NaN: none */
-  double gamma;           /* gamma, in [-0.5, 1] */
-  double mu_r_dynamic;    /* while slipping; NaN: mu_r mu_d/mu */
-  double stiffness;       /* k_l [N/m] > 0, normal and tangential */
-  double twist_stiffness; /* k_r [N m/rad] > 0 */
-  double damping;         /* b_l [N s/m] >= 0 */
-  double twist_damping;   /* b_r [N m s/rad] >= 0 */
-  double rest_margin;     /* >= 0: a sliding finger rests within its limit over 1 + rest_margin (mu/mu_dynamic - 1) */
-  double max_displacement; /* between two samples [m]; a larger jump is invalid; the next sample counts if it stays there */
+  const char* radius_law; /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; may be NULL
+                             if mu_r is given */
+  double mu_r; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), instead of the radius law's; NaN: none */
+  double gamma;            /* gamma, in [-0.5, 1] */
+  double mu_r_dynamic;     /* while slipping; NaN: mu_r mu_d/mu */
+  double stiffness;        /* k_l [N/m] > 0, normal and tangential */
+  double twist_stiffness;  /* k_r [N m/rad] > 0 */
+  double damping;          /* b_l [N s/m] >= 0 */
+  double twist_damping;    /* b_r [N m s/rad] >= 0 */
+  double rest_margin;      /* >= 0: a sliding finger rests within its limit over 1 + rest_margin (mu/mu_dynamic - 1) */
+  double max_displacement; /* between two samples [m]; a larger jump is invalid; the next sample counts if it stays
+                              there */
   double fault_decay;      /* factor of load, force and moment from one invalid sample to the next, in [0, 1] */
 } limitcurve_finger_parameters;
 
 /* The defaults of the C++ library, NaN for what is absent, and a radius of 5 mm. */
 LIMITCURVE_API limitcurve_finger_parameters limitcurve_finger_defaults(void);
 
-/* The smallest loads [N] under which a contact carries forces [N] and moments [N m], whose signs are ignored; inf where no load holds. Of
- * the finger's parameters it reads mu, radius_law, mu_r and gamma. `limitcurve hold` estimates the error from a measured pressure. */
-LIMITCURVE_API limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, const limitcurve_finger_parameters* contact,
-                                                               const double* forces, const double* moments, size_t count, double* loads);
+/* The smallest loads [N] under which a contact carries forces [N] and moments [N m], whose signs are ignored; inf where
+ * no load holds. Of the finger's parameters it reads mu, radius_law, mu_r and gamma. `limitcurve hold` estimates the
+ * error from a measured pressure. */
+LIMITCURVE_API limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table,
+                                                               const limitcurve_finger_parameters* contact,
+                                                               const double* forces, const double* moments,
+                                                               size_t count, double* loads);
 
 typedef enum limitcurve_state {
   LIMITCURVE_FREE = 0,         /* no contact */
@@ -213,18 +230,19 @@ typedef struct limitcurve_contact {
   double normal[3]; /* outward, of unit length */
   double depth;     /* of the finger below the surface [m]; <= 0 outside */
   double twist;     /* of the device about the normal [rad]; may wrap around */
-  int landed;       /* not 0: the finger left the surface since the last step and landed on it anew, as from one wall to another;
-                       on another body call limitcurve_finger_reset before the step */
+  int landed;       /* not 0: the finger left the surface since the last step and landed on it anew, as from one wall to
+                       another; on another body call limitcurve_finger_reset before the step */
 } limitcurve_contact;
 
-/* Result of a step. The whole force on the user is normal * load + force, the moment is about the normal. After an update under a load apply
- * `force` and the moment alone: the engine pushes. */
+/* Result of a step. The whole force on the user is normal * load + force, the moment is about the normal. After an
+ * update under a load apply `force` and the moment alone: the engine pushes. */
 typedef struct limitcurve_finger_output {
   double proxy[3]; /* position of the proxy [m] */
   double angle;    /* of the proxy [rad] */
   double depth;    /* [m] */
   double normal[3];
-  double load;      /* [N], the whole normal force: on a curved surface what bounds friction (k_l depth) and the surface's own push */
+  double load; /* [N], the whole normal force: on a curved surface what bounds friction (k_l depth) and the surface's
+                  own push */
   double force[3];  /* friction on the user [N], tangential */
   double moment;    /* friction on the user about the normal [N m] */
   double cor;       /* of the slip [m]; NaN unless it slips */
@@ -237,75 +255,96 @@ typedef struct limitcurve_finger_output {
 typedef struct limitcurve_finger limitcurve_finger;
 typedef struct limitcurve_patch limitcurve_patch;
 
-LIMITCURVE_API limitcurve_status limitcurve_finger_new(const limitcurve_table* table, const limitcurve_finger_parameters* parameters,
+LIMITCURVE_API limitcurve_status limitcurve_finger_new(const limitcurve_table* table,
+                                                       const limitcurve_finger_parameters* parameters,
                                                        limitcurve_projection projection, limitcurve_finger** finger);
 
-/* A finger with a contact that is not round; radius_law may be NULL. `point_radius` [m] smooths the points of a patch; 0: 1e-3 m0. */
-LIMITCURVE_API limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch, const limitcurve_finger_parameters* parameters,
+/* A finger with a contact that is not round; radius_law may be NULL. `point_radius` [m] smooths the points of a patch;
+ * 0: 1e-3 m0. */
+LIMITCURVE_API limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch,
+                                                             const limitcurve_finger_parameters* parameters,
                                                              double point_radius, limitcurve_finger** finger);
 
 LIMITCURVE_API void limitcurve_finger_free(limitcurve_finger* finger);
 
-/* One step. Dampers use `time_step` [s], the time since the last step; 0: no dampers. A value that is not finite, a normal not of unit
- * length, a jump or a time step < 0 is not an error: the state is LIMITCURVE_STATE_INVALID, and `fault` names the reason. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
-                                                          limitcurve_finger_output* output);
+/* One step. Dampers use `time_step` [s], the time since the last step; 0: no dampers. A value that is not finite, a
+ * normal not of unit length, a jump or a time step < 0 is not an error: the state is LIMITCURVE_STATE_INVALID, and
+ * `fault` names the reason. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact,
+                                                          double time_step, limitcurve_finger_output* output);
 
-/* One step where a physics engine gives the load [N] and not a depth: `depth` is not read, the output has the load, and NaN for the depth. The
- * point is where the finger is on the surface; with a load <= 0 the finger is free, and one that is not finite is bad input. Friction
- * reaches its limit on a surface of any radius. The rest as above. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact,
-                                                                     double load, double time_step, limitcurve_finger_output* output);
+/* One step where a physics engine gives the load [N] and not a depth: `depth` is not read, the output has the load, and
+ * NaN for the depth. The point is where the finger is on the surface; with a load <= 0 the finger is free, and one that
+ * is not finite is bad input. Friction reaches its limit on a surface of any radius. The rest as above. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger,
+                                                                     const limitcurve_contact* contact, double load,
+                                                                     double time_step,
+                                                                     limitcurve_finger_output* output);
 
-/* Both with the device's orientation (w, x, y, z; finger to surface, of unit length) instead of `twist`, which is not read. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_finger_update_pose(limitcurve_finger* finger, const limitcurve_contact* contact,
+/* Both with the device's orientation (w, x, y, z; finger to surface, of unit length) instead of `twist`, which is not
+ * read. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_finger_update_pose(limitcurve_finger* finger,
+                                                               const limitcurve_contact* contact,
                                                                const double orientation[4], double time_step,
                                                                limitcurve_finger_output* output);
-LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load_pose(limitcurve_finger* finger, const limitcurve_contact* contact,
-                                                                          double load, const double orientation[4], double time_step,
+LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load_pose(limitcurve_finger* finger,
+                                                                          const limitcurve_contact* contact,
+                                                                          double load, const double orientation[4],
+                                                                          double time_step,
                                                                           limitcurve_finger_output* output);
 
 /* The result that an update would have, without a change of the finger. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_finger_preview(const limitcurve_finger* finger, const limitcurve_contact* contact,
-                                                           double time_step, limitcurve_finger_output* output);
-LIMITCURVE_API limitcurve_status limitcurve_finger_preview_pose(const limitcurve_finger* finger, const limitcurve_contact* contact,
+LIMITCURVE_API limitcurve_status limitcurve_finger_preview(const limitcurve_finger* finger,
+                                                           const limitcurve_contact* contact, double time_step,
+                                                           limitcurve_finger_output* output);
+LIMITCURVE_API limitcurve_status limitcurve_finger_preview_pose(const limitcurve_finger* finger,
+                                                                const limitcurve_contact* contact,
                                                                 const double orientation[4], double time_step,
                                                                 limitcurve_finger_output* output);
 
-/* Other parameters in the loop, as where the finger touches another material; with a bad one nothing changes. Proxy, angle and the last
- * output stay; the next step has the new springs at the same deflection. radius_law NULL: the finger keeps its own; then [real time]. */
-LIMITCURVE_API limitcurve_status limitcurve_finger_change(limitcurve_finger* finger, const limitcurve_finger_parameters* parameters);
+/* Other parameters in the loop, as where the finger touches another material; with a bad one nothing changes. Proxy,
+ * angle and the last output stay; the next step has the new springs at the same deflection. radius_law NULL: the finger
+ * keeps its own; then [real time]. */
+LIMITCURVE_API limitcurve_status limitcurve_finger_change(limitcurve_finger* finger,
+                                                          const limitcurve_finger_parameters* parameters);
 
 /* Gives one finger the state of another: proxy, memories and output, not its parameters. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_copy_state(const limitcurve_finger* from, limitcurve_finger* to);
 
 /* Energy in the springs [J], 0 while free. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_finger_spring_energy(const limitcurve_finger* finger, double* spring_energy);
+LIMITCURVE_API limitcurve_status limitcurve_finger_spring_energy(const limitcurve_finger* finger,
+                                                                 double* spring_energy);
 
 /* Back to the state before any contact. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_reset(limitcurve_finger* finger);
 
-/* Distance to slip, from 1 (no friction) to 0 (slips), and the least `load` of the output [N] that would hold the current friction. Either
- * may be NULL. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_finger_margin(const limitcurve_finger* finger, double* margin, double* load_to_hold);
+/* Distance to slip, from 1 (no friction) to 0 (slips), and the least `load` of the output [N] that would hold the
+ * current friction. Either may be NULL. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_finger_margin(const limitcurve_finger* finger, double* margin,
+                                                          double* load_to_hold);
 
-/* The damping [N s/m] and twist damping [N m s/rad] that a device itself needs at a sample time [s], with its force `delay` samples late (0 to
- * 1000), so that a finger's sampled springs and dampers add no energy in any hand. Either result may be NULL. */
-LIMITCURVE_API limitcurve_status limitcurve_device_damping_needed(const limitcurve_finger_parameters* parameters, double sample_time,
-                                                                  int delay, double* sliding, double* twist);
+/* The damping [N s/m] and twist damping [N m s/rad] that a device itself needs at a sample time [s], with its force
+ * `delay` samples late (0 to 1000), so that a finger's sampled springs and dampers add no energy in any hand. Either
+ * result may be NULL. */
+LIMITCURVE_API limitcurve_status limitcurve_device_damping_needed(const limitcurve_finger_parameters* parameters,
+                                                                  double sample_time, int delay, double* sliding,
+                                                                  double* twist);
 
-/* LIMITCURVE_INVALID, and what to change in limitcurve_error(), unless a device with this damping has more than it needs; infinity leaves one
- * unchecked. */
-LIMITCURVE_API limitcurve_status limitcurve_require_passive(const limitcurve_finger_parameters* parameters, double sample_time, int delay,
-                                                            double sliding, double twist);
+/* LIMITCURVE_INVALID, and what to change in limitcurve_error(), unless a device with this damping has more than it
+ * needs; infinity leaves one unchecked. */
+LIMITCURVE_API limitcurve_status limitcurve_require_passive(const limitcurve_finger_parameters* parameters,
+                                                            double sample_time, int delay, double sliding,
+                                                            double twist);
 
-/* The slip's centre of rotation, in the surface's frame [m]; infinite for pure sliding, NaN without slip. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_finger_centre_of_rotation(const limitcurve_finger* finger, double centre_of_rotation[3]);
+/* The slip's centre of rotation, in the surface's frame [m]; infinite for pure sliding, NaN without slip. [real time]
+ */
+LIMITCURVE_API limitcurve_status limitcurve_finger_centre_of_rotation(const limitcurve_finger* finger,
+                                                                      double centre_of_rotation[3]);
 
 /* ---- Many contacts at once ---- */
 
-/* Contacts in arrays of one length that do not overlap, each contact in its own tangent plane. The caller owns the arrays; all 0 at
- * first. */
+/* Contacts in arrays of one length that do not overlap, each contact in its own tangent plane. The caller owns the
+ * arrays; all 0 at first. */
 typedef struct limitcurve_contacts {
   const double* x; /* the finger [m], up to 1e6 */
   const double* y;
@@ -314,7 +353,8 @@ typedef struct limitcurve_contacts {
   double* proxy_x;     /* in and out */
   double* proxy_y;
   double* proxy_angle;
-  uint8_t* state;         /* in and out: a limitcurve_state. A sample, or a proxy, that is NaN is a fault: no other array changes */
+  uint8_t*
+      state; /* in and out: a limitcurve_state. A sample, or a proxy, that is NaN is a fault: no other array changes */
   uint8_t* force_slides;  /* memory */
   uint8_t* moment_slides; /* memory, of the moment on a box */
   double* search_start;   /* memory */
@@ -346,7 +386,8 @@ typedef struct limitcurve_contacts_float {
 typedef struct limitcurve_batch limitcurve_batch;
 
 /* A step for contacts that share curve and parameters; it uses friction, radius law and stiffnesses. For double. */
-LIMITCURVE_API limitcurve_status limitcurve_batch_new(const limitcurve_table* table, const limitcurve_finger_parameters* parameters,
+LIMITCURVE_API limitcurve_status limitcurve_batch_new(const limitcurve_table* table,
+                                                      const limitcurve_finger_parameters* parameters,
                                                       limitcurve_projection projection, limitcurve_batch** batch);
 
 /* For float: the law's table in single precision, tolerance in [5e-7, 0.1]. */
@@ -356,68 +397,75 @@ LIMITCURVE_API limitcurve_status limitcurve_batch_new_float(const limitcurve_law
 
 LIMITCURVE_API void limitcurve_batch_free(limitcurve_batch* batch);
 
-/* Steps `count` contacts. Threads may share a batch, each with its own part of the arrays. It rejects a batch for the other precision.
- * [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_batch_step(const limitcurve_batch* batch, const limitcurve_contacts* contacts, size_t count);
-LIMITCURVE_API limitcurve_status limitcurve_batch_step_float(const limitcurve_batch* batch, const limitcurve_contacts_float* contacts,
-                                                             size_t count);
+/* Steps `count` contacts. Threads may share a batch, each with its own part of the arrays. It rejects a batch for the
+ * other precision. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_batch_step(const limitcurve_batch* batch,
+                                                       const limitcurve_contacts* contacts, size_t count);
+LIMITCURVE_API limitcurve_status limitcurve_batch_step_float(const limitcurve_batch* batch,
+                                                             const limitcurve_contacts_float* contacts, size_t count);
 
 /* ---- Contacts that are not round ---- */
 
 /* `count` points [m] with loads >= 0 of any unit. */
-LIMITCURVE_API limitcurve_status limitcurve_patch_points(const double* x, const double* y, const double* loads, size_t count,
-                                                         limitcurve_patch** patch);
+LIMITCURVE_API limitcurve_status limitcurve_patch_points(const double* x, const double* y, const double* loads,
+                                                         size_t count, limitcurve_patch** patch);
 /* Uniform pressure on a simple polygon of `count` vertices [m]. */
-LIMITCURVE_API limitcurve_status limitcurve_patch_polygon(const double* x, const double* y, size_t count, limitcurve_patch** patch);
+LIMITCURVE_API limitcurve_status limitcurve_patch_polygon(const double* x, const double* y, size_t count,
+                                                          limitcurve_patch** patch);
 /* Uniform pressure on a rectangle with full sides x and y [m]. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_rectangle(double x, double y, limitcurve_patch** patch);
 /* A law on the ellipse with semi-axes a (along x) and b [m]. */
-LIMITCURVE_API limitcurve_status limitcurve_patch_ellipse(const limitcurve_law* law, double a, double b, limitcurve_patch** patch);
-/* A pressure image: `rows` rows of `columns` pressures, the first row at the largest y; pixels are squares of side `pixel` [m]. Negative
-   pressures are noise: those up to 1.5 times the most negative count as 0. */
-LIMITCURVE_API limitcurve_status limitcurve_patch_image(const double* pressures, size_t rows, size_t columns, double pixel,
-                                                        limitcurve_patch** patch);
+LIMITCURVE_API limitcurve_status limitcurve_patch_ellipse(const limitcurve_law* law, double a, double b,
+                                                          limitcurve_patch** patch);
+/* A pressure image: `rows` rows of `columns` pressures, the first row at the largest y; pixels are squares of side
+   `pixel` [m]. Negative pressures are noise: those up to 1.5 times the most negative count as 0. */
+LIMITCURVE_API limitcurve_status limitcurve_patch_image(const double* pressures, size_t rows, size_t columns,
+                                                        double pixel, limitcurve_patch** patch);
 /* The same with pixels that are rectangles, `width` along x and `height` along y [m]. */
-LIMITCURVE_API limitcurve_status limitcurve_patch_image_spaced(const double* pressures, size_t rows, size_t columns, double width,
-                                                               double height, limitcurve_patch** patch);
+LIMITCURVE_API limitcurve_status limitcurve_patch_image_spaced(const double* pressures, size_t rows, size_t columns,
+                                                               double width, double height, limitcurve_patch** patch);
 /* The same patch with orthotropic friction: its own times mx along x and times my along y, both 1e-6 to 1e6. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my,
                                                               limitcurve_patch** result);
 
 LIMITCURVE_API void limitcurve_patch_free(limitcurve_patch* patch);
 
-/* The wrenches (fx, fy, moment) that keep the patch sliding with `count` twists (vx, vy, omega) [m/s, rad/s] about the origin, three
- * numbers each, for mu = 1 and load 1. Their powers [m/s] and the bounds on their errors may be NULL. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count,
-                                                         double* wrenches, double* powers, double* errors);
+/* The wrenches (fx, fy, moment) that keep the patch sliding with `count` twists (vx, vy, omega) [m/s, rad/s] about the
+ * origin, three numbers each, for mu = 1 and load 1. Their powers [m/s] and the bounds on their errors may be NULL.
+ * [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists,
+                                                         size_t count, double* wrenches, double* powers,
+                                                         double* errors);
 
-/* The smallest loads [N], of all points together, under which the patch carries `count` wrenches (fx, fy, moment) [N, N m] about the
- * origin, three numbers each, with friction `mu` >= 0; inf where no load holds. */
-LIMITCURVE_API limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu, const double* wrenches,
-                                                               size_t count, double* loads);
+/* The smallest loads [N], of all points together, under which the patch carries `count` wrenches (fx, fy, moment) [N, N
+ * m] about the origin, three numbers each, with friction `mu` >= 0; inf where no load holds. */
+LIMITCURVE_API limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu,
+                                                               const double* wrenches, size_t count, double* loads);
 
-/* The twists (vx, vy, omega) [m/s, rad/s] with which the patch slips under `count` wrenches (fx, fy, moment) [N, N m], both about the
- * origin, three numbers each: at the load that just holds, of power 1 W against the wrench; NaN for wrench 0, and where no load holds.
- * Bounds on |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the twist needs, may be NULL. */
-LIMITCURVE_API limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches, size_t count, double* twists,
-                                                       double* errors);
+/* The twists (vx, vy, omega) [m/s, rad/s] with which the patch slips under `count` wrenches (fx, fy, moment) [N, N m],
+ * both about the origin, three numbers each: at the load that just holds, of power 1 W against the wrench; NaN for
+ * wrench 0, and where no load holds. Bounds on |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the twist needs,
+ * may be NULL. */
+LIMITCURVE_API limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches,
+                                                       size_t count, double* twists, double* errors);
 
 /* ---- Fits ---- */
 
 /* In a library built without Ceres they return LIMITCURVE_FAILED. */
 typedef struct limitcurve_fit limitcurve_fit;
 
-/* Fits a friction model to `count` measured slips: loads [N], forces [N], moments [N m], and their standard deviations (both arrays, or
- * both NULL). Models: "ellipse", "ratio", "law". `law` may be NULL: then "ratio" uses hertz, and "law" finds the best. The contact
- * radius is proportional to P^gamma, gamma in [-0.5, 1]. */
-LIMITCURVE_API limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, const double* forces, const double* moments,
-                                                      const double* sigma_forces, const double* sigma_moments, size_t count,
+/* Fits a friction model to `count` measured slips: loads [N], forces [N], moments [N m], and their standard deviations
+ * (both arrays, or both NULL). Models: "ellipse", "ratio", "law". `law` may be NULL: then "ratio" uses hertz, and "law"
+ * finds the best. The contact radius is proportional to P^gamma, gamma in [-0.5, 1]. */
+LIMITCURVE_API limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, const double* forces,
+                                                      const double* moments, const double* sigma_forces,
+                                                      const double* sigma_moments, size_t count,
                                                       const limitcurve_law* law, double gamma, limitcurve_fit** fit);
 
-/* Fits the growth of `count` contact radii [m] with the load [N]: the best of a constant, P^(1/3) and a free power. `sigmas` may be
- * NULL. */
-LIMITCURVE_API limitcurve_status limitcurve_fit_radii(const double* loads, const double* radii, const double* sigmas, size_t count,
-                                                      limitcurve_fit** fit);
+/* Fits the growth of `count` contact radii [m] with the load [N]: the best of a constant, P^(1/3) and a free power.
+ * `sigmas` may be NULL. */
+LIMITCURVE_API limitcurve_status limitcurve_fit_radii(const double* loads, const double* radii, const double* sigmas,
+                                                      size_t count, limitcurve_fit** fit);
 
 LIMITCURVE_API void limitcurve_fit_free(limitcurve_fit* fit);
 
@@ -426,10 +474,11 @@ LIMITCURVE_API const char* limitcurve_fit_model(const limitcurve_fit* fit);
 LIMITCURVE_API const char* limitcurve_fit_note(const limitcurve_fit* fit);
 LIMITCURVE_API const char* limitcurve_fit_warning(const limitcurve_fit* fit, size_t index);
 
-/* The number of estimates, 0 for NULL, and each of them: name, value, standard error (0 if fixed) and unit. Outputs may be NULL. */
+/* The number of estimates, 0 for NULL, and each of them: name, value, standard error (0 if fixed) and unit. Outputs may
+ * be NULL. */
 LIMITCURVE_API size_t limitcurve_fit_count(const limitcurve_fit* fit);
-LIMITCURVE_API limitcurve_status limitcurve_fit_estimate(const limitcurve_fit* fit, size_t index, const char** name, double* value,
-                                                         double* std_error, const char** unit);
+LIMITCURVE_API limitcurve_status limitcurve_fit_estimate(const limitcurve_fit* fit, size_t index, const char** name,
+                                                         double* value, double* std_error, const char** unit);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// For hosts in C++11, 14 or 17: fingers over limitcurve.h, which has units and ranges. A constructor and `change` throw std::invalid_argument,
-// or std::runtime_error where the job failed, with limitcurve_error(); what a loop calls does not throw. Link with liblimitcurve-c.
+// For hosts in C++11, 14 or 17: fingers over limitcurve.h, which has units and ranges. A constructor and `change` throw
+// std::invalid_argument, or std::runtime_error where the job failed, with limitcurve_error(); what a loop calls does
+// not throw. Link with liblimitcurve-c.
 #ifndef LIMITCURVE11_HPP
 #define LIMITCURVE11_HPP
 
@@ -38,10 +39,12 @@ class Table {
   std::shared_ptr<limitcurve_table> handle_;
 };
 
-/// A finger; it moves, and what was moved from may only be destroyed or assigned to. `handle` is for the functions that have no member here.
+/// A finger; it moves, and what was moved from may only be destroyed or assigned to. `handle` is for the functions that
+/// have no member here.
 class Finger {
  public:
-  Finger(const Table& table, const limitcurve_finger_parameters& skin, limitcurve_projection projection = LIMITCURVE_CLOSEST_POINT)
+  Finger(const Table& table, const limitcurve_finger_parameters& skin,
+         limitcurve_projection projection = LIMITCURVE_CLOSEST_POINT)
       : handle_(nullptr, limitcurve_finger_free) {
     limitcurve_finger* finger = nullptr;
     check(limitcurve_finger_new(table.handle(), &skin, projection, &finger));
@@ -52,12 +55,14 @@ class Finger {
     limitcurve_finger_update(handle(), &contact, time_step, &output);
     return output;
   }
-  limitcurve_finger_output update(const limitcurve_contact& contact, const Quaternion& orientation, double time_step = 0) noexcept {
+  limitcurve_finger_output update(const limitcurve_contact& contact, const Quaternion& orientation,
+                                  double time_step = 0) noexcept {
     limitcurve_finger_output output{};
     limitcurve_finger_update_pose(handle(), &contact, orientation.data(), time_step, &output);
     return output;
   }
-  limitcurve_finger_output update_under_load(const limitcurve_contact& contact, double load, double time_step = 0) noexcept {
+  limitcurve_finger_output update_under_load(const limitcurve_contact& contact, double load,
+                                             double time_step = 0) noexcept {
     limitcurve_finger_output output{};
     limitcurve_finger_update_under_load(handle(), &contact, load, time_step, &output);
     return output;
@@ -72,7 +77,8 @@ class Finger {
 
 /// Force [N] and moment [N m] on the user. After an update under a load apply `force` and the moment alone.
 inline Vector whole_force(const limitcurve_finger_output& out) noexcept {
-  return {{out.normal[0] * out.load + out.force[0], out.normal[1] * out.load + out.force[1], out.normal[2] * out.load + out.force[2]}};
+  return {{out.normal[0] * out.load + out.force[0], out.normal[1] * out.load + out.force[1],
+           out.normal[2] * out.load + out.force[2]}};
 }
 inline Vector moment_vector(const limitcurve_finger_output& out) noexcept {
   return {{out.normal[0] * out.moment, out.normal[1] * out.moment, out.normal[2] * out.moment}};

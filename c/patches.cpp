@@ -7,7 +7,8 @@
 using namespace limitcurve;
 using namespace limitcurve::c;
 
-limitcurve_status limitcurve_patch_points(const double* x, const double* y, const double* loads, size_t count, limitcurve_patch** patch) {
+limitcurve_status limitcurve_patch_points(const double* x, const double* y, const double* loads, size_t count,
+                                          limitcurve_patch** patch) {
   if (count > 0 && (is_missing("x", x) || is_missing("y", y) || is_missing("loads", loads))) return LIMITCURVE_INVALID;
   return make_handle(patch, [&] {
     std::vector<PatchLoad> points;
@@ -34,19 +35,23 @@ limitcurve_status limitcurve_patch_ellipse(const limitcurve_law* law, double a, 
   return make_handle(patch, [&] { return limitcurve_patch{Patch::ellipse(law->law, a, b)}; });
 }
 
-limitcurve_status limitcurve_patch_image(const double* pressures, size_t rows, size_t columns, double pixel, limitcurve_patch** patch) {
+limitcurve_status limitcurve_patch_image(const double* pressures, size_t rows, size_t columns, double pixel,
+                                         limitcurve_patch** patch) {
   return limitcurve_patch_image_spaced(pressures, rows, columns, pixel, pixel, patch);
 }
 
-limitcurve_status limitcurve_patch_image_spaced(const double* pressures, size_t rows, size_t columns, double width, double height,
-                                                limitcurve_patch** patch) {
+limitcurve_status limitcurve_patch_image_spaced(const double* pressures, size_t rows, size_t columns, double width,
+                                                double height, limitcurve_patch** patch) {
   if (rows > 0 && columns > std::numeric_limits<std::size_t>::max() / sizeof(double) / rows)
     return refuse("rows", "more pixels than there is memory");
   if (rows * columns > 0 && is_missing("pressures", pressures)) return LIMITCURVE_INVALID;
-  return make_handle(patch, [&] { return limitcurve_patch{Patch::image(std::span(pressures, rows * columns), columns, width, height)}; });
+  return make_handle(patch, [&] {
+    return limitcurve_patch{Patch::image(std::span(pressures, rows * columns), columns, width, height)};
+  });
 }
 
-limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my, limitcurve_patch** result) {
+limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my,
+                                               limitcurve_patch** result) {
   if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
   return make_handle(result, [&] { return limitcurve_patch{patch->patch.orthotropic(mx, my)}; });
 }
@@ -55,8 +60,8 @@ void limitcurve_patch_free(limitcurve_patch* patch) {
   free_handle(patch);
 }
 
-limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count, double* wrenches,
-                                          double* powers, double* errors) {
+limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count,
+                                          double* wrenches, double* powers, double* errors) {
   if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("twists", twists) || is_missing("wrenches", wrenches))) return LIMITCURVE_INVALID;
   for (std::size_t i = 0; i < count; ++i) {
@@ -72,8 +77,8 @@ limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const d
   return LIMITCURVE_OK;
 }
 
-limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu, const double* wrenches, size_t count,
-                                                double* loads) {
+limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu, const double* wrenches,
+                                                size_t count, double* loads) {
   if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("wrenches", wrenches) || is_missing("loads", loads))) return LIMITCURVE_INVALID;
   if (refuse_numbers("wrenches", wrenches, 3 * count)) return LIMITCURVE_INVALID;
@@ -86,8 +91,8 @@ limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, d
   });
 }
 
-limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches, size_t count, double* twists,
-                                        double* errors) {
+limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches, size_t count,
+                                        double* twists, double* errors) {
   if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("wrenches", wrenches) || is_missing("twists", twists))) return LIMITCURVE_INVALID;
   if (refuse_numbers("wrenches", wrenches, 3 * count)) return LIMITCURVE_INVALID;

@@ -30,11 +30,12 @@ class Help final : public CLI::Formatter {
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
     if (mode == CLI::AppFormatMode::Sub) return CLI::Formatter::make_help(app, std::move(name), mode);
     const auto group = [&](const std::string& title) {
-      const auto options =
-          app->get_options([&](const CLI::Option* option) { return option->get_group() == title && option->nonpositional(); });
+      const auto options = app->get_options(
+          [&](const CLI::Option* option) { return option->get_group() == title && option->nonpositional(); });
       return options.empty() ? std::string() : make_group(title, false, options);
     };
-    std::string text = make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) + group(required);
+    std::string text =
+        make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) + group(required);
     if (!example_.empty()) text += "\nExample:\n  " + example_ + "\n";
     return text + group("Options") + group("Rare options") + make_subcommands(app, mode) + "\n" + make_footer(app);
   }
@@ -43,8 +44,8 @@ class Help final : public CLI::Formatter {
   std::string example_;
 };
 
-CLI::Option* add_option(CLI::App& app, const std::string& name, const std::string& kind, std::function<void(const std::string&)> take,
-                        const std::string& help, Presence presence) {
+CLI::Option* add_option(CLI::App& app, const std::string& name, const std::string& kind,
+                        std::function<void(const std::string&)> take, const std::string& help, Presence presence) {
   const auto take_each = [name, take = std::move(take)](const CLI::results_t& texts) {
     try {
       for (const std::string& text : texts) take(text);
@@ -80,7 +81,8 @@ std::vector<Entry> make_entries() {
            make_fit,
 #endif
        }},
-      {"Numbers", {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_patch}},
+      {"Numbers",
+       {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_patch}},
       {"Motions", {make_replay, make_pivot}}};
   std::vector<Entry> entries;
   for (const auto& [group, makes] : groups) {
@@ -107,7 +109,8 @@ void declare(CLI::App& whole, Entry& entry, bool all) {
       },
       "Form of the results (default: table on a terminal, otherwise csv)", Presence::optional);
   common.flag("--quiet", entry.quiet, "Write nothing but errors to standard error");
-  entry.app->set_help_flag("-h,--help", options.has_rare() ? "This help; --help-all shows rare options, too" : "This help");
+  entry.app->set_help_flag("-h,--help",
+                           options.has_rare() ? "This help; --help-all shows rare options, too" : "This help");
 }
 
 void check_subcommand(const std::string& name, const std::vector<Entry>& entries) {
@@ -119,10 +122,11 @@ void check_subcommand(const std::string& name, const std::vector<Entry>& entries
     known.push_back(entry.app->get_name());
   }
   if (name == "fit") {
-    throw std::invalid_argument("subcommand '" + name + "' is not in this executable (it needs Ceres), expected one of" + expected);
+    throw std::invalid_argument("subcommand '" + name +
+                                "' is not in this executable (it needs Ceres), expected one of" + expected);
   }
-  throw std::invalid_argument((name.empty() ? "no subcommand" : "unknown subcommand '" + name + "'") + ", expected one of" + expected +
-                              did_you_mean(name, known));
+  throw std::invalid_argument((name.empty() ? "no subcommand" : "unknown subcommand '" + name + "'") +
+                              ", expected one of" + expected + did_you_mean(name, known));
 }
 
 /// What to say of the first argument that looks like an option and is none of the subcommand's; empty if nothing helps.
@@ -160,8 +164,8 @@ std::string missing_options(const std::vector<Entry>& entries) {
 
 }  // namespace
 
-void Options::value(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take, const std::string& help,
-                    Presence presence) {
+void Options::value(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take,
+                    const std::string& help, Presence presence) {
   CLI::Option* const option = add_option(app_, name, kind, std::move(take), help, presence)->expected(1);
   if (is_rare_) option->group(all_ ? "Rare options" : "");
 }
@@ -178,7 +182,9 @@ void Options::flag(const std::string& name, bool& value, const std::string& help
 }
 
 void run_command_line(std::vector<std::string> arguments, Results results) {
-  CLI::App app("Friction limit curves of soft fingers: exact, tabulated, approximated; and a soft finger for a servo loop.", "limitcurve");
+  CLI::App app(
+      "Friction limit curves of soft fingers: exact, tabulated, approximated; and a soft finger for a servo loop.",
+      "limitcurve");
   app.formatter(std::make_shared<Help>(""));
   app.set_help_flag("-h,--help", "This help");
   app.set_version_flag("-V,--version", "limitcurve " + std::string(version), "The version");
@@ -188,7 +194,8 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
       "Exit status: 0 success, 1 the job failed, 2 wrong usage or bad input.\n"
       "limitcurve help SUBCOMMAND shows its options and an example.");
   // "help", "help SUBCOMMAND" and --help-all are ways to ask for --help.
-  if (!arguments.empty() && arguments[0] == "help") arguments = {arguments.size() > 1 ? arguments[1] : "--help", "--help"};
+  if (!arguments.empty() && arguments[0] == "help")
+    arguments = {arguments.size() > 1 ? arguments[1] : "--help", "--help"};
   const auto all = std::find(arguments.begin(), arguments.end(), "--help-all");
   const bool shows_all = all != arguments.end();
   if (shows_all) *all = "--help";
@@ -208,12 +215,12 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
   } catch (const CLI::ExtrasError&) {
     std::string unknown;  // as they were typed: the error has them from the last
     for (const std::string& argument : app.remaining(true)) unknown += ' ' + argument;
-    throw std::invalid_argument("these arguments were not expected:" + unknown + " (expected usage: limitcurve " + name + " --help)" +
-                                option_meant(arguments, entries));
+    throw std::invalid_argument("these arguments were not expected:" + unknown + " (expected usage: limitcurve " +
+                                name + " --help)" + option_meant(arguments, entries));
   } catch (const CLI::ParseError& error) {
     const std::string missing = missing_options(entries);
-    throw std::invalid_argument((missing.empty() ? std::string(error.what()) : missing) + " (expected usage: limitcurve " + name +
-                                " --help)" + option_meant(arguments, entries));
+    throw std::invalid_argument((missing.empty() ? std::string(error.what()) : missing) +
+                                " (expected usage: limitcurve " + name + " --help)" + option_meant(arguments, entries));
   }
   for (const Entry& entry : entries) {
     if (!entry.app->parsed()) continue;

@@ -14,8 +14,10 @@ namespace {
 
 /// One line, whatever the message quotes.
 void complain(std::string_view message) {
-  std::string line = descriptor::takes_colours(descriptor::standard_error) ? "limitcurve: \x1b[31merror:\x1b[0m " : "limitcurve: error: ";
-  for (const char character : message) line += static_cast<unsigned char>(character) < 0x20 || character == 0x7f ? '?' : character;
+  std::string line = descriptor::takes_colours(descriptor::standard_error) ? "limitcurve: \x1b[31merror:\x1b[0m "
+                                                                           : "limitcurve: error: ";
+  for (const char character : message)
+    line += static_cast<unsigned char>(character) < 0x20 || character == 0x7f ? '?' : character;
   std::fprintf(stderr, "%s\n", line.c_str());
 }
 

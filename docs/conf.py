@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The site (scripts/maintain/site). Its sources are the repository's Markdown files where they stand, so that every fact has one place; the pages in
-docs/ come to lie at the top of the site. Formulas become MathML when the site is built: a page loads nothing but its own files."""
+"""The site (scripts/maintain/site). Its sources are the repository's Markdown files where they stand, so that every
+fact has one place; the pages in docs/ come to lie at the top of the site. Formulas become MathML when the site is
+built: a page loads nothing but its own files."""
 
 import re
 import sys
@@ -14,10 +15,15 @@ from repository import FILES  # noqa: E402  (it lies beside this file)
 project = "limitcurve"
 version = release = re.search(r'version = "(.*)"', (ROOT / "limitcurve" / "version.hpp").read_text(encoding="utf-8"))[1]
 root_doc = "index"
-include_patterns = [*sorted(name for name in FILES if name.endswith(".md") and not name.startswith(".")), "build/reference/*.md"]
+include_patterns = [
+    *sorted(name for name in FILES if name.endswith(".md") and not name.startswith(".")), "build/reference/*.md"
+]
 # Sphinx follows links, and in build/wine the z: is the whole machine.
 exclude_patterns = ["out", *(f"build/{path.name}" for path in (ROOT / "build").iterdir() if path.name != "reference")]
-extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "headers", "repository", "formulas"]
+extensions = [
+    "myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "headers", "repository",
+    "formulas"
+]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 breathe_projects = {"limitcurve": str(ROOT / "build" / "doxygen" / "xml")}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many contacts on all cores: each thread steps its own part of the arrays with one call of the batch. Prints contacts a second
-// for 1, 2, 4 … threads, and checks that the bits equal those of a single thread.
+// Many contacts on all cores: each thread steps its own part of the arrays with one call of the batch. Prints contacts
+// a second for 1, 2, 4 … threads, and checks that the bits equal those of a single thread.
 //     example_all_cores [CONTACTS [STEPS]]      ten million contacts: example_all_cores 1e7, 1 GB
 #include "godobject/batch/batch.hpp"
 #include "limitcurve/laws.hpp"
@@ -20,8 +20,8 @@ namespace lc = limitcurve;
 namespace god = limitcurve::godobject;
 using Clock = std::chrono::steady_clock;
 
-/// Moves the fingers of some contacts to their positions at a step: they slide and twist, each a little differently, at a depth of 0.1 to
-/// 0.2 mm.
+/// Moves the fingers of some contacts to their positions at a step: they slide and twist, each a little differently, at
+/// a depth of 0.1 to 0.2 mm.
 void move(god::ContactArrays& contacts, std::size_t begin, std::size_t end, int step) {
   const auto x = contacts.x();
   const auto angle = contacts.twist();
@@ -99,7 +99,8 @@ int main(int argc, char** argv) {
       moments.assign(felt.moment.begin(), felt.moment.end());
     }
     right = right && std::ranges::equal(felt.fx, forces) && std::ranges::equal(felt.moment, moments);
-    std::printf("%3u threads: %7.2f million contacts a second, %.2f times one thread\n", threads, 1e-6 * rate, rate / alone);
+    std::printf("%3u threads: %7.2f million contacts a second, %.2f times one thread\n", threads, 1e-6 * rate,
+                rate / alone);
   }
   // All contacts slip by now, and none exceeds its limit.
   const double limit = 0.6 * 1000.0 * 2e-4 * (1.0 + 1e-9);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A finger in C that slides and twists at once: it settles at the wrench of its slip, and the law gives the exact value. */
+/* A finger in C that slides and twists at once: it settles at the wrench of its slip, and the law gives the exact
+ * value. */
 #include "limitcurve.h"
 
 #include <math.h>
@@ -38,7 +39,8 @@ int main(void) {
   const double capacity = 0.6 * felt.load; /* mu P */
   printf("friction %.6f N and %.6f N mm; exactly %.6f and %.6f\n", -felt.force[0], -1e3 * felt.moment, capacity * force,
          1e3 * capacity * 0.006 * moment);
-  const int right = fabs(-felt.force[0] / capacity - force) < 1e-6 && fabs(-felt.moment / (capacity * 0.006) - moment) < 1e-6;
+  const int right =
+      fabs(-felt.force[0] / capacity - force) < 1e-6 && fabs(-felt.moment / (capacity * 0.006) - moment) < 1e-6;
 
   limitcurve_finger_free(finger);
   limitcurve_table_free(table);

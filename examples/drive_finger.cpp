@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Job 3, drive: a finger pressed on a plane slides straight on and turns, v/ω = a, in a 1 kHz loop. Its wrench settles at
-// that of eq. (17) for c = a.
+// Job 3, drive: a finger pressed on a plane slides straight on and turns, v/ω = a, in a 1 kHz loop. Its wrench settles
+// at that of eq. (17) for c = a.
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"

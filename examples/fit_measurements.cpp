@@ -9,7 +9,8 @@
 #include <vector>
 
 int main() {
-  // Slips of a finger with mu = 0.7 and a = 5 mm under a uniform pressure, at random centres of rotation, with 2 % of noise.
+  // Slips of a finger with mu = 0.7 and a = 5 mm under a uniform pressure, at random centres of rotation, with 2 % of
+  // noise.
   const limitcurve::Law law = limitcurve::uniform();
   std::mt19937 random(1);
   std::uniform_real_distribution<double> load(1.0, 4.0), exponent(-1.5, 1.5);
@@ -18,7 +19,8 @@ int main() {
   for (int i = 0; i < 200; ++i) {
     const double at = load(random);
     const auto unit = law->evaluate(std::pow(10.0, exponent(random))).wrench;
-    slips.push_back({at, 0.7 * at * (unit.force + noise(random)), 0.7 * at * 0.005 * (unit.moment + noise(random) * law->moment_ratio())});
+    slips.push_back({at, 0.7 * at * (unit.force + noise(random)),
+                     0.7 * at * 0.005 * (unit.moment + noise(random) * law->moment_ratio())});
   }
 
   const auto fit = limitcurve::fit::fit_contact(slips, limitcurve::fit::ContactModel::of(law));

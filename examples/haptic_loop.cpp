@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A finger in an existing haptic loop: position and orientation of the device in, force and torque out. The device is simulated with the
-// interface of real ones (OpenHaptics: a callback at 1 kHz that reads a column-major transform in millimetres and writes force [N] and
-// torque [N mm]; CHAI3D's cGenericHapticDevice has getPosition, getRotation and setForceAndTorque, in metres). Neither is needed to
-// build this.
+// A finger in an existing haptic loop: position and orientation of the device in, force and torque out. The device is
+// simulated with the interface of real ones (OpenHaptics: a callback at 1 kHz that reads a column-major transform in
+// millimetres and writes force [N] and torque [N mm]; CHAI3D's cGenericHapticDevice has getPosition, getRotation and
+// setForceAndTorque, in metres). Neither is needed to build this.
 //     example_haptic_loop [DAMPING]     of the device [N s/m]; too little for the finger's gains is an error
 #include "godobject/godobject.hpp"
 #include "godobject/scene/passivity.hpp"
@@ -19,8 +19,8 @@
 namespace lc = limitcurve;
 namespace god = limitcurve::godobject;
 
-/// A simulated device: a handle of 60 g on damped bearings, in a user's hand, which is a spring and a damper towards the position that the
-/// user wants. y is up, as in most device frames. The scheduler calls back once a millisecond.
+/// A simulated device: a handle of 60 g on damped bearings, in a user's hand, which is a spring and a damper towards
+/// the position that the user wants. y is up, as in most device frames. The scheduler calls back once a millisecond.
 class StandInDevice {
  public:
   using Callback = void (*)(StandInDevice& device, void* user_data);
@@ -28,7 +28,8 @@ class StandInDevice {
   explicit StandInDevice(const god::DeviceDamping& damping) : damping_(damping) {}
   void get_transform(double (&columns)[16]) const noexcept {
     const double c = std::cos(angle_), s = std::sin(angle_);
-    const double about_y[16] = {c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 1e3 * place_.x(), 1e3 * place_.y(), 1e3 * place_.z(), 1};
+    const double about_y[16] = {
+        c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 1e3 * place_.x(), 1e3 * place_.y(), 1e3 * place_.z(), 1};
     std::copy(std::begin(about_y), std::end(about_y), columns);
   }
   void set_force(const double (&newton)[3]) noexcept { force_ = {newton[0], newton[1], newton[2]}; }
@@ -59,14 +60,16 @@ class StandInDevice {
   }
 
   god::DeviceDamping damping_;
-  Eigen::Vector3d place_{0.0, 0.01, 0.0}, velocity_ = Eigen::Vector3d::Zero(), force_ = Eigen::Vector3d::Zero(), wanted_ = place_;
+  Eigen::Vector3d place_{0.0, 0.01, 0.0}, velocity_ = Eigen::Vector3d::Zero(), force_ = Eigen::Vector3d::Zero(),
+                                          wanted_ = place_;
   double angle_ = 0.0, spin_ = 0.0, torque_ = 0.0, wanted_angle_ = 0.0;
 };
 
 /// The finger for a haptic loop: construct it before the loop, call `step` once in each cycle.
 class TouchOfPlane {
  public:
-  /// Throws if the device has not the damping that these gains need: kT/2 + |b|, here 1.5 N s/m, and kT more for each sample of delay.
+  /// Throws if the device has not the damping that these gains need: kT/2 + |b|, here 1.5 N s/m, and kT more for each
+  /// sample of delay.
   TouchOfPlane(double greatest_force, const god::DeviceDamping& device)
       : finger_(lc::Table::build(lc::hertz(), 1e-6), parameters()), greatest_force_(greatest_force) {
     god::require_passive(finger_.parameters(), time_step, device);
@@ -86,7 +89,9 @@ class TouchOfPlane {
   }
   [[nodiscard]] god::FingerOutput output() const noexcept { return finger_.output(); }
   /// In the device's frame, before it is scaled.
-  [[nodiscard]] Eigen::Vector3d whole_force() const noexcept { return y_up_.conjugate() * finger_.output().whole_force(); }
+  [[nodiscard]] Eigen::Vector3d whole_force() const noexcept {
+    return y_up_.conjugate() * finger_.output().whole_force();
+  }
 
  private:
   static constexpr double time_step = 1e-3;  // [s]
@@ -116,7 +121,8 @@ void servo(StandInDevice& device, void* user_data) {
   double columns[16];
   device.get_transform(columns);
   Eigen::Matrix3d rotation;
-  rotation << columns[0], columns[4], columns[8], columns[1], columns[5], columns[9], columns[2], columns[6], columns[10];
+  rotation << columns[0], columns[4], columns[8], columns[1], columns[5], columns[9], columns[2], columns[6],
+      columns[10];
   const Eigen::Vector3d position = 1e-3 * Eigen::Vector3d(columns[12], columns[13], columns[14]);
   Eigen::Vector3d force, torque;
   touch.step(position, Eigen::Quaterniond(rotation).normalized(), force, torque);
@@ -131,8 +137,8 @@ int main(int argc, char** argv) try {
   bool right = true;
   const auto report = [&](const char* what, god::ContactState expected) {
     const god::FingerOutput output = touch.output();
-    std::printf("%-28s %-6s load %.3f N  friction %.3f N  moment %+.3f N mm  out of balance with the hand %.1e N\n", what,
-                god::to_string(output.state).data(), output.load, output.force.norm(), 1e3 * output.moment,
+    std::printf("%-28s %-6s load %.3f N  friction %.3f N  moment %+.3f N mm  out of balance with the hand %.1e N\n",
+                what, god::to_string(output.state).data(), output.load, output.force.norm(), 1e3 * output.moment,
                 (device.hand_force() + touch.whole_force()).norm());
     right = right && output.state == expected;
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Drives a finger at 1 kHz in its own thread, as a haptic device needs it, while the main thread draws at 60 Hz. The state passes between
-// the threads without a lock: neither waits for the other. At the end it prints the delay of the wake-ups and the time of the steps.
+// Drives a finger at 1 kHz in its own thread, as a haptic device needs it, while the main thread draws at 60 Hz. The
+// state passes between the threads without a lock: neither waits for the other. At the end it prints the delay of the
+// wake-ups and the time of the steps.
 //     example_servo_thread [SECONDS]
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
@@ -20,8 +21,9 @@ namespace lc = limitcurve;
 namespace god = limitcurve::godobject;
 using Clock = std::chrono::steady_clock;
 
-/// Passes the latest value from one writing thread to one reading thread. It has three slots: the writer's, the reader's and one between.
-/// Each side exchanges its slot with the one between in a single atomic step, so neither waits.
+/// Passes the latest value from one writing thread to one reading thread. It has three slots: the writer's, the
+/// reader's and one between. Each side exchanges its slot with the one between in a single atomic step, so neither
+/// waits.
 template <class Value>
 class Latest {
  public:
@@ -62,8 +64,11 @@ constexpr double cor = 0.005;
 
 void print(const char* what, std::vector<double> times) {
   std::sort(times.begin(), times.end());
-  const auto at = [&](double share) { return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))]; };
-  std::printf("%-22s median %7.2f  99 %% %7.2f  99.9 %% %7.2f  worst %7.2f us\n", what, at(0.5), at(0.99), at(0.999), at(1.0));
+  const auto at = [&](double share) {
+    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
+  };
+  std::printf("%-22s median %7.2f  99 %% %7.2f  99.9 %% %7.2f  worst %7.2f us\n", what, at(0.5), at(0.99), at(0.999),
+              at(1.0));
 }
 
 int main(int argc, char** argv) {
@@ -113,7 +118,8 @@ int main(int argc, char** argv) {
     ++pictures;
     // Force and proxy belong to the same step.
     const god::FingerState& state = seen.state;
-    right = right && (parameters.stiffness * (state.output.proxy - state.sample.goal) - state.output.force).norm() < 1e-9;
+    right =
+        right && (parameters.stiffness * (state.output.proxy - state.sample.goal) - state.output.force).norm() < 1e-9;
     right = right && seen.step >= before;
   };
   while (!done) {
@@ -128,8 +134,9 @@ int main(int argc, char** argv) {
   print("step and hand-over took", timing.taken);
   const auto exact = lc::hertz()->forces(cor / 0.005);
   const god::FingerOutput felt = finger.output();
-  std::printf("%ld steps, %ld pictures; felt %.6f N and %.6f N mm, eq. (17) says %.6f N and %.6f N mm\n", steps, pictures,
-              felt.force.norm(), 1e3 * std::abs(felt.moment), 1.2 * exact.force, 1e3 * 1.2 * 0.005 * exact.moment);
+  std::printf("%ld steps, %ld pictures; felt %.6f N and %.6f N mm, eq. (17) says %.6f N and %.6f N mm\n", steps,
+              pictures, felt.force.norm(), 1e3 * std::abs(felt.moment), 1.2 * exact.force,
+              1e3 * 1.2 * 0.005 * exact.moment);
   right = right && felt.state == god::ContactState::slip;
   if (steps >= 1000) right = right && std::abs(felt.force.norm() - 1.2 * exact.force) < 1e-4;
   return right ? 0 : 1;

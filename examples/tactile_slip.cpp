@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a tactile image to the slip margin: the fraction of a grip's friction that a held object uses, and the required grip. The usual
-// disc in place of the image over-estimates the friction.
+// From a tactile image to the slip margin: the fraction of a grip's friction that a held object uses, and the required
+// grip. The usual disc in place of the image over-estimates the friction.
 #include "limitcurve/patch/patch.hpp"
 
 #include <algorithm>
@@ -34,13 +34,13 @@ int main() {
   const double needed_by_disc = load_to_hold(disc, mu, weight);
   std::printf("largest moment: %.3f mN m, %.3f for the disc of equal area\n", 1e3 * mu * load * contact.moment_ratio(),
               1e3 * mu * load * disc.moment_ratio());
-  std::printf("slip margin %.1f %% (disc: %.1f %%); the least grip that holds is %.2f N (disc: %.2f N)\n", 100.0 * (1.0 - needed / load),
-              100.0 * (1.0 - needed_by_disc / load), needed, needed_by_disc);
+  std::printf("slip margin %.1f %% (disc: %.1f %%); the least grip that holds is %.2f N (disc: %.2f N)\n",
+              100.0 * (1.0 - needed / load), 100.0 * (1.0 - needed_by_disc / load), needed, needed_by_disc);
 
   // Force and moment together need more than each alone, and less than both.
   const double force_alone = 3.0 / mu;
   const double moment_alone = 0.006 / (mu * contact.moment_ratio());
-  const bool right =
-      needed < load && needed > std::max(force_alone, moment_alone) && needed < force_alone + moment_alone && needed_by_disc < needed;
+  const bool right = needed < load && needed > std::max(force_alone, moment_alone) &&
+                     needed < force_alone + moment_alone && needed_by_disc < needed;
   return right ? 0 : 1;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Job 1, generate: writes a lookup table of a pressure law with a stated error, reads it back, and checks it between its nodes.
+// Job 1, generate: writes a lookup table of a pressure law with a stated error, reads it back, and checks it between
+// its nodes.
 //     example_write_table [LAW [TOLERANCE]]
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
@@ -24,7 +25,8 @@ int main(int argc, char** argv) try {
   std::ofstream(path) << limitcurve::to_csv(table);
 
   std::ifstream file(path);
-  const limitcurve::Table read = limitcurve::read_table_csv(std::string(std::istreambuf_iterator<char>(file), {}), path);
+  const limitcurve::Table read =
+      limitcurve::read_table_csv(std::string(std::istreambuf_iterator<char>(file), {}), path);
 
   const limitcurve::ExactCurve exact(law);
   double worst = 0.0;
@@ -34,8 +36,8 @@ int main(int argc, char** argv) try {
     const limitcurve::UnitWrench right = exact.wrench(twist);
     worst = std::max({worst, std::abs(looked_up.force - right.force), std::abs(looked_up.moment - right.moment)});
   }
-  std::printf("%s: %zu cells, %zu bytes, checked to %.2g; worst of 10001 lookups %.2g\n", path, read.cell_count(), read.bytes(),
-              read.checked_error(), worst);
+  std::printf("%s: %zu cells, %zu bytes, checked to %.2g; worst of 10001 lookups %.2g\n", path, read.cell_count(),
+              read.bytes(), read.checked_error(), worst);
   return worst <= read.checked_error() && read.checked_error() <= tolerance ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "example_write_table: error: %s\n", error.what());

@@ -44,32 +44,38 @@ void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, 
       if (other.name == shape) continue;
       const double correlation = report.correlation_of(shape, other.name);
       if (std::fabs(correlation) > 0.9) {
-        report.warnings.push_back(shape + " and " + other.name + " trade off: correlation " + format_number(correlation, 3));
+        report.warnings.push_back(shape + " and " + other.name + " trade off: correlation " +
+                                  format_number(correlation, 3));
       }
     }
   }
 }
 
-/// Throws if the samples are all about one centre of rotation, for all their noise says: then they give a single point of the curve, and a
-/// spread along it that is noise would be taken for that of slips.
-void refuse_one_centre(const internal::ContactResiduals::Ray& ray, const Solution& solution, double noise, bool with_sigma, bool robust) {
+/// Throws if the samples are all about one centre of rotation, for all their noise says: then they give a single point
+/// of the curve, and a spread along it that is noise would be taken for that of slips.
+void refuse_one_centre(const internal::ContactResiduals::Ray& ray, const Solution& solution, double noise,
+                       bool with_sigma, bool robust) {
   const auto count = static_cast<double>(ray.distances.size());
   const double size = robust ? 1.4826 * median_size(ray.distances) : internal::root_mean_square(ray.distances);
-  const double unknown = 1.0 / (count - 1.0) + (with_sigma ? 0.0 : 1.0 / (count - static_cast<double>(solution.values.size())));
-  // Without sigmas the limits, which such samples do not tell, are the unit of both errors: noise may seem unequal, but not correlated.
+  const double unknown =
+      1.0 / (count - 1.0) + (with_sigma ? 0.0 : 1.0 / (count - static_cast<double>(solution.values.size())));
+  // Without sigmas the limits, which such samples do not tell, are the unit of both errors: noise may seem unequal, but
+  // not correlated.
   const bool spreads = with_sigma || ray.correlation * std::sqrt(count - 1.0) < -3.0;
   const double least = spreads ? std::max(2.0, 1.0 + 3.0 * std::sqrt(2.0 * unknown)) : 10.0;
   if (!(size * size < least * noise)) return;
   throw std::invalid_argument(
       "not identifiable from these samples: mu, mu_r (all slips turn about one centre of rotation, as far as their "
       "noise tells, expected several centres); they give one point of the curve, not its two limits: moment/force = " +
-      format_number(ray.ratio, 4) + " +- " + format_number(ray.ratio * ray.relative_error * std::sqrt(noise), 2) + " m");
+      format_number(ray.ratio, 4) + " +- " + format_number(ray.ratio * ray.relative_error * std::sqrt(noise), 2) +
+      " m");
 }
 
-/// The fitted curve and its band: with q the curve's point in the normalised plane and N its normal, the standard error of q·N is that of
-/// N·(x δlog μ, y δlog μ_r) + N·∂q/∂β δβ (at 1 N: δlog μ_r is that of the limit there).
-std::vector<ContactFit::BandPoint> band_of(const UnitCurve& curve, const ContactLayout& layout, std::span<const double> covariance,
-                                           double mu, double mu_r, double log_reference) {
+/// The fitted curve and its band: with q the curve's point in the normalised plane and N its normal, the standard error
+/// of q·N is that of N·(x δlog μ, y δlog μ_r) + N·∂q/∂β δβ (at 1 N: δlog μ_r is that of the limit there).
+std::vector<ContactFit::BandPoint> band_of(const UnitCurve& curve, const ContactLayout& layout,
+                                           std::span<const double> covariance, double mu, double mu_r,
+                                           double log_reference) {
   constexpr int points = 91;
   constexpr double two_sided_95 = 1.959964;
   const std::size_t free = layout.size();
@@ -90,8 +96,9 @@ std::vector<ContactFit::BandPoint> band_of(const UnitCurve& curve, const Contact
       for (std::size_t b = 0; b < free; ++b) variance += gradient[a] * covariance[a * free + b] * gradient[b];
     }
     const double width = two_sided_95 * std::sqrt(std::max(variance, 0.0));
-    band.push_back({mu * point.x, mu_r * point.y, mu * (point.x - width * normal.x), mu_r * (point.y - width * normal.y),
-                    mu * (point.x + width * normal.x), mu_r * (point.y + width * normal.y)});
+    band.push_back({mu * point.x, mu_r * point.y, mu * (point.x - width * normal.x),
+                    mu_r * (point.y - width * normal.y), mu * (point.x + width * normal.x),
+                    mu_r * (point.y + width * normal.y)});
   }
   return band;
 }
@@ -102,7 +109,8 @@ bool is_at_bound(const UnitCurve& curve, double shape) {
 
 }  // namespace
 
-ContactFit internal::fit_prepared(const ContactPreparation& preparation, const ContactModel& model, const ContactFitOptions& options) {
+ContactFit internal::fit_prepared(const ContactPreparation& preparation, const ContactModel& model,
+                                  const ContactFitOptions& options) {
   const std::unique_ptr<UnitCurve> curve = internal::make_curve(model);
   const ContactLayout layout{!curve->shape_name().empty(), options.fit_gamma, options.gamma};
   std::vector<Parameter> parameters = internal::free_parameters(*curve, layout, model, preparation.start);
@@ -120,7 +128,8 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   const Loss loss = robust ? internal::approach(residuals, parameters, options.loss) : options.loss;
   Solution solution = internal::minimise(residuals, parameters, loss, first_tolerance);
   // Second pass, with the drift from the estimated scatter (the sigmas may overstate it).
-  const double scatter = robust ? std::pow(1.4826 * median_size(solution.residuals), 2) : internal::residual_variance(solution);
+  const double scatter =
+      robust ? std::pow(1.4826 * median_size(solution.residuals), 2) : internal::residual_variance(solution);
   const double noise = preparation.with_sigma ? std::min(scatter, 1.0) : scatter;
   residuals.expect_drift(solution.values, noise);
   for (std::size_t j = 0; j < free; ++j) parameters[j].start = solution.values[j];
@@ -133,8 +142,8 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   for (std::size_t j = 0; j < 2; ++j) {
     const double relative_error = std::sqrt(covariance[j * free + j]);
     if (!(relative_error < 0.5)) {
-      throw std::invalid_argument("not identifiable from these samples: " + parameters[j].name + " (its standard error is " +
-                                  format_number(100.0 * relative_error, 3) + " %)");
+      throw std::invalid_argument("not identifiable from these samples: " + parameters[j].name +
+                                  " (its standard error is " + format_number(100.0 * relative_error, 3) + " %)");
     }
   }
   if (layout.gamma) internal::refuse_hidden(parameters.back(), covariance.back());
@@ -146,7 +155,8 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   internal::describe(fit.report, solution);
   fit.report.note = internal::note_of(fit.model, options, count - free, preparation.with_sigma);
   fit.report.rms *= preparation.noise;
-  fit.report.aic = internal::akaike(internal::cost_of(solution, options.loss), count, free, preparation.with_sigma || robust);
+  fit.report.aic =
+      internal::akaike(internal::cost_of(solution, options.loss), count, free, preparation.with_sigma || robust);
 
   bool at_bound = false;
   bool hidden = false;
@@ -181,7 +191,8 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
     add(grows ? "c" : "radius", radius, metre,
         {-radius, radius, -radius * curve->moment_ratio_slope() / curve->moment_ratio(), -radius * log_reference});
   }
-  if (layout.shape) add(curve->shape_name(), curve->parameter(shape), "1", {0.0, 0.0, curve->parameter_slope(shape), 0.0});
+  if (layout.shape)
+    add(curve->shape_name(), curve->parameter(shape), "1", {0.0, 0.0, curve->parameter_slope(shape), 0.0});
   if (layout.gamma) add("gamma", gamma, "1", {0.0, 0.0, 0.0, 1.0});
   internal::set_estimates(fit.report, quantities, jacobian, covariance);
   fit.band = band_of(*curve, layout, covariance, mu, mu_r, log_reference);
@@ -190,7 +201,8 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   internal::warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
 
   if (at_bound || hidden) {
-    // Report nothing rather than a wrong number: the data determine neither the shape nor the quantities that depend on it.
+    // Report nothing rather than a wrong number: the data determine neither the shape nor the quantities that depend on
+    // it.
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (Estimate& estimate : fit.report.estimates) {
       if (estimate.name != curve->shape_name() && estimate.name != "radius" && estimate.name != "c") continue;
@@ -198,9 +210,10 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
       estimate.std_error = infinity;
     }
     fit.report.warnings.push_back(
-        at_bound ? curve->shape_name() + " is at the end of its range, " + format_number(curve->parameter(shape), 3) +
-                       ": the data ask for more than the family has, or say nothing of it"
-                 : curve->shape_name() + " is not identifiable from these samples: any value in its range explains them");
+        at_bound
+            ? curve->shape_name() + " is at the end of its range, " + format_number(curve->parameter(shape), 3) +
+                  ": the data ask for more than the family has, or say nothing of it"
+            : curve->shape_name() + " is not identifiable from these samples: any value in its range explains them");
   }
   return fit;
 }

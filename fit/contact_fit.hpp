@@ -12,8 +12,8 @@
 
 namespace limitcurve::fit {
 
-/// The limit curve to fit to samples of slip. Beside its shape, every model has the two limits of the contact: μ (largest force divided by
-/// load) and μ_r (largest moment divided by load).
+/// The limit curve to fit to samples of slip. Beside its shape, every model has the two limits of the contact: μ
+/// (largest force divided by load) and μ_r (largest moment divided by load).
 struct ContactModel {
   enum class Kind {
     ellipse,    ///< (F/μP)² + (M/μ_rP)² = 1
@@ -36,18 +36,19 @@ struct ContactFitOptions {
   bool fit_gamma = false;
   /// Warn of a larger contact radius [m]. The pad of a human fingertip is about 16 mm wide.
   double largest_radius = 0.008;
-  /// Of more samples `select_law` chooses the law with so many, drawn evenly over load and slip; it fits the chosen law to all.
+  /// Of more samples `select_law` chooses the law with so many, drawn evenly over load and slip; it fits the chosen law
+  /// to all.
   std::size_t rows_of_choice = 10'000;
 };
 
 /// A model fitted to samples. Estimates, in this order:
 ///   exact curves: mu [1], mu_r [m], ratio = mu_r/mu [m], radius [m], then n or k if free;
 ///   ellipse: force_max [1] (= F/P), moment_max [m] (= M/P).
-/// With gamma ≠ 0 or fitted, moments are those at a load of 1 N, in m/N^γ, the radius has the name c, and gamma follows if free.
+/// With gamma ≠ 0 or fitted, moments are those at a load of 1 N, in m/N^γ, the radius has the name c, and gamma follows
+/// if free.
 struct ContactFit {
-  /// For charts: a point of the fitted limit curve per newton of load, and the edges of the 95 % band along its normal (in the normalised
-  /// plane).
-  /// With a load-dependent radius, at a load of 1 N.
+  /// For charts: a point of the fitted limit curve per newton of load, and the edges of the 95 % band along its normal
+  /// (in the normalised plane). With a load-dependent radius, at a load of 1 N.
   struct BandPoint {
     double force;   ///< F/P [1]
     double moment;  ///< M/P [m]
@@ -59,23 +60,25 @@ struct ContactFit {
 
   std::string model;
   FitReport report;
-  /// Distance of each sample from the curve in standard deviations (as given, or estimated from the scatter); positive outside.
+  /// Distance of each sample from the curve in standard deviations (as given, or estimated from the scatter); positive
+  /// outside.
   std::vector<double> residuals;
   std::vector<BandPoint> band;  ///< from pure slide to pure twist
-  /// Samples (from 0) whose distance in a robust fit is larger than the scatter of the others explains (a normal error reaches it in one
-  /// of 200 data sets). A warning names them, too.
+  /// Samples (from 0) whose distance in a robust fit is larger than the scatter of the others explains (a normal error
+  /// reaches it in one of 200 data sets). A warning names them, too.
   std::vector<std::size_t> outliers;
 };
 
-/// Fits by orthogonal distance: errors of force and moment both count, each in units of its own sigma. Without sigmas the fit assumes
-/// errors that are proportional to the load and equal in the normalised plane, and estimates their size from the scatter; then
-/// `report.rms` is relative to the limit (0.02 is 2 %). With sigmas it is in standard deviations. No starting values are needed. One more
-/// fit finds gross outliers, whatever the loss, and a γ that differs from the assumed γ by more than chance gives in one of 2000 data
-/// sets; the report warns of both. Cost: about 1 ms for 100 samples, and once per process 20 to 70 ms for each family with a free shape.
-/// Throws std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot determine (too few; all
-/// on an axis; no twist at all; all about one centre).
-/// warns of both.
-ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options = {});
+/// Fits by orthogonal distance: errors of force and moment both count, each in units of its own sigma. Without sigmas
+/// the fit assumes errors that are proportional to the load and equal in the normalised plane, and estimates their size
+/// from the scatter; then `report.rms` is relative to the limit (0.02 is 2 %). With sigmas it is in standard
+/// deviations. No starting values are needed. One more fit finds gross outliers, whatever the loss, and a γ that
+/// differs from the assumed γ by more than chance gives in one of 2000 data sets; the report warns of both. Cost: about
+/// 1 ms for 100 samples, and once per process 20 to 70 ms for each family with a free shape. Throws
+/// std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot determine
+/// (too few; all on an axis; no twist at all; all about one centre). warns of both.
+ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model,
+                       const ContactFitOptions& options = {});
 
 /// The fits of all pressure laws, best first by AICc.
 struct LawSelection {
@@ -84,10 +87,11 @@ struct LawSelection {
   std::vector<double> aic_difference;
 };
 
-/// Fits flat-punch, uniform, hertz, parabolic, cone, gaussian:sigma=1 (its radius is σ) and the two families. The report of the best
-/// warns of every candidate that the data cannot distinguish from it. Its standard errors cover the noise, the choice of law, with Akaike's
-/// weights exp(−AICc/2) of the candidates' values, and, where the samples do not scatter evenly about the best curve, what a law that is none of
-/// these may be off by; for a mixture of two laws that is found with 100 slips of 2 % noise.
+/// Fits flat-punch, uniform, hertz, parabolic, cone, gaussian:sigma=1 (its radius is σ) and the two families. The
+/// report of the best warns of every candidate that the data cannot distinguish from it. Its standard errors cover the
+/// noise, the choice of law, with Akaike's weights exp(−AICc/2) of the candidates' values, and, where the samples do
+/// not scatter evenly about the best curve, what a law that is none of these may be off by; for a mixture of two laws
+/// that is found with 100 slips of 2 % noise.
 LawSelection select_law(std::span<const Sample> samples, const ContactFitOptions& options = {});
 
 /// The contact radius that a moment-to-force ratio μ_r/μ implies under a law, a = ratio/m₀ [m].

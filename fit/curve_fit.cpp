@@ -19,8 +19,8 @@ namespace {
 
 using internal::CurvePoint;
 
-/// Each residual is a radial error times the point's weight. With the ellipse's gauge γ = √((x/A)² + (y/B)²) of a curve point (x, y), the
-/// radial error is e = 1/γ − 1 and
+/// Each residual is a radial error times the point's weight. With the ellipse's gauge γ = √((x/A)² + (y/B)²) of a curve
+/// point (x, y), the radial error is e = 1/γ − 1 and
 ///   ∂e/∂A = x²/(A³γ³),  ∂e/∂B = y²/(B³γ³).
 class EllipseResiduals final : public internal::ResidualModel {
  public:
@@ -49,10 +49,12 @@ std::vector<double> residuals_at(const internal::ResidualModel& model, std::span
   return residuals;
 }
 
-/// Sets the estimates. Their standard errors have no meaning: what the residuals show is the difference of two curves, not noise.
+/// Sets the estimates. Their standard errors have no meaning: what the residuals show is the difference of two curves,
+/// not noise.
 void set_estimates(FitReport& report, std::initializer_list<internal::Quantity> quantities) {
   for (const internal::Quantity& quantity : quantities) {
-    report.estimates.push_back({quantity.name, quantity.value, std::numeric_limits<double>::quiet_NaN(), quantity.unit});
+    report.estimates.push_back(
+        {quantity.name, quantity.value, std::numeric_limits<double>::quiet_NaN(), quantity.unit});
   }
   report.correlation.assign(quantities.size() * quantities.size(), 0.0);
 }
@@ -100,7 +102,8 @@ CurveFit fit_ellipse(const Law& law, Criterion criterion, std::size_t points) {
     case Criterion::intercepts:
       break;
     case Criterion::least_squares: {
-      const std::array<internal::Parameter, 2> parameters{{{"force_max", 1.0, 0.1, 10.0}, {"moment_max", 1.0, 0.1, 10.0}}};
+      const std::array<internal::Parameter, 2> parameters{
+          {{"force_max", 1.0, 0.1, 10.0}, {"moment_max", 1.0, 0.1, 10.0}}};
       const internal::Solution solution = internal::minimise(model, parameters);
       ellipse = Ellipse(solution.values[0], solution.values[1] * moment_ratio);
       internal::describe(report, solution);

@@ -32,13 +32,14 @@ struct CurveFit {
   FitReport report;
 };
 
-/// Number of points of a least-squares fit, evenly spaced in the normalised slip angle atan(c/(m₀a)) from pure twist to pure slide; the
-/// weight of a point is its share of rays.
+/// Number of points of a least-squares fit, evenly spaced in the normalised slip angle atan(c/(m₀a)) from pure twist to
+/// pure slide; the weight of a point is its share of rays.
 inline constexpr std::size_t default_curve_points = 361;
 
 /// Ellipse of two semi-axes; estimates force_max [1], moment_max [1] in unit wrenches. Throws
 /// std::invalid_argument if points < 3. Cost: 1 to 2 ms for a law in closed form, most of it to
 /// measure the error.
-CurveFit fit_ellipse(const Law& law, Criterion criterion = Criterion::least_squares, std::size_t points = default_curve_points);
+CurveFit fit_ellipse(const Law& law, Criterion criterion = Criterion::least_squares,
+                     std::size_t points = default_curve_points);
 
 }  // namespace limitcurve::fit

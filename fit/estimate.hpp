@@ -17,8 +17,8 @@ struct Estimate {
   std::string unit;  ///< SI, "1" if none
 };
 
-/// The report of a fit. The standard errors come from the curvature of the cost at the solution, a linear approximation; the coverage
-/// tests of this module measure how good it is.
+/// The report of a fit. The standard errors come from the curvature of the cost at the solution, a linear
+/// approximation; the coverage tests of this module measure how good it is.
 struct FitReport {
   std::vector<Estimate> estimates;
   /// Correlations of the estimates, row by row, estimates.size() squared; 0 where a standard error is 0.
@@ -28,8 +28,8 @@ struct FitReport {
   /// Number of residuals, and of free parameters.
   std::size_t residuals = 0;
   std::size_t free_parameters = 0;
-  /// Akaike's information criterion with the correction for few samples (AICc), up to a constant of the data: compare only fits of the
-  /// same data.
+  /// Akaike's information criterion with the correction for few samples (AICc), up to a constant of the data: compare
+  /// only fits of the same data.
   double aic = 0.0;
   bool converged = false;
   int iterations = 0;

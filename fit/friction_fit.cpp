@@ -70,15 +70,18 @@ std::vector<std::string> suspicious_units(const Patch& patch, std::span<const Pu
     }
   }
   std::vector<std::string> warnings;
-  if (distance > longest) warnings.push_back("a push of " + format_number(distance, 3) + " m: are dx and dy in metres?");
-  if (turn > std::numbers::pi) warnings.push_back("a push turns by " + format_number(turn, 3) + " rad: is dtheta in radians?");
+  if (distance > longest)
+    warnings.push_back("a push of " + format_number(distance, 3) + " m: are dx and dy in metres?");
+  if (turn > std::numbers::pi)
+    warnings.push_back("a push turns by " + format_number(turn, 3) + " rad: is dtheta in radians?");
   if (!arms.empty()) {
     const auto middle = arms.begin() + static_cast<std::ptrdiff_t>(arms.size() / 2);
     std::nth_element(arms.begin(), middle, arms.end());
     constexpr double least = 30.0;
     if (*middle > least) {
-      warnings.push_back("moments are " + format_number(*middle, 3) +
-                         " times those that the patch has beside these forces: are they in N m, and is the patch in metres?");
+      warnings.push_back(
+          "moments are " + format_number(*middle, 3) +
+          " times those that the patch has beside these forces: are they in N m, and is the patch in metres?");
     }
   }
   return warnings;
@@ -98,7 +101,8 @@ std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push
     const double spin = m0 * twist.omega;
     const double ellipsoid_power = std::hypot(patch.factors().x * vx, patch.factors().y * vy, spin);
     if (!(exact_power > 0.0 && ellipsoid_power > 0.0)) {
-      throw std::invalid_argument("push " + std::to_string(found.size() + 1) + ": no displacement, expected one that slides");
+      throw std::invalid_argument("push " + std::to_string(found.size() + 1) +
+                                  ": no displacement, expected one that slides");
     }
     found.push_back({std::fabs(spin) / std::hypot(vx, vy, spin), power / exact_power, power / ellipsoid_power});
   }
@@ -121,11 +125,11 @@ FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, doubl
     ellipsoid.push_back(found[i].ellipsoid);
   }
   if (2 * against.size() > found.size()) {
-    throw std::invalid_argument(
-        "push " + std::to_string(against.front() + 1) + ": negative power, as in " + std::to_string(against.size()) + " of " +
-        std::to_string(found.size()) +
-        " pushes; expected the wrench on the patch, which points along the motion: is this the reaction, with the other "
-        "sign?");
+    throw std::invalid_argument("push " + std::to_string(against.front() + 1) + ": negative power, as in " +
+                                std::to_string(against.size()) + " of " + std::to_string(found.size()) +
+                                " pushes; expected the wrench on the patch, which points along the motion: is this the "
+                                "reaction, with the other "
+                                "sign?");
   }
   if (share.size() < 3) throw std::invalid_argument(std::to_string(share.size()) + " pushes, expected at least 3");
   const Line of_exact = regress(share, exact);
@@ -138,12 +142,14 @@ FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, doubl
                   internal::note_of_few_rows(share.size() - 1)};
   for (Estimate& drift : fit.estimates) {
     if (drift.unit != "1" || !(std::fabs(drift.value) > 1.0) || drift.name.find("drift") != 0) continue;
-    fit.warnings.push_back(drift.name + ": no estimate, for " + format_number(drift.value, 3) + " +- " + format_number(drift.std_error, 3) +
+    fit.warnings.push_back(drift.name + ": no estimate, for " + format_number(drift.value, 3) + " +- " +
+                           format_number(drift.std_error, 3) +
                            " is more than mu itself: the shares of rotation hardly differ");
     drift.value = drift.std_error = std::numeric_limits<double>::quiet_NaN();
   }
   if (!against.empty()) {
-    fit.warnings.insert(fit.warnings.begin(), internal::listed("push", "pushes", against) + " of " + std::to_string(found.size()) +
+    fit.warnings.insert(fit.warnings.begin(), internal::listed("push", "pushes", against) + " of " +
+                                                  std::to_string(found.size()) +
                                                   " (the first is 1): negative power, left out; did they slide?");
   }
   return fit;

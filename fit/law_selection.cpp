@@ -22,8 +22,8 @@ using internal::ContactPreparation;
 
 namespace {
 
-/// So many of the samples, evenly over load and slip, in any order of the rows the same: one of each of as many equal parts, in the order of
-/// the slips within each hundredth of the loads.
+/// So many of the samples, evenly over load and slip, in any order of the rows the same: one of each of as many equal
+/// parts, in the order of the slips within each hundredth of the loads.
 std::vector<Sample> drawn(std::span<const Sample> samples, std::size_t count) {
   std::vector<Sample> all(samples.begin(), samples.end());
   const auto part = [&](std::size_t i, std::size_t parts) { return i * all.size() / parts; };
@@ -34,14 +34,16 @@ std::vector<Sample> drawn(std::span<const Sample> samples, std::size_t count) {
     std::ranges::stable_sort(std::span(all).subspan(part(i, groups), part(i + 1, groups) - part(i, groups)), {}, slip);
   std::minstd_rand random(1);
   std::vector<Sample> result;
-  for (std::size_t i = 0; i < count; ++i) result.push_back(all[part(i, count) + random() % (part(i + 1, count) - part(i, count))]);
+  for (std::size_t i = 0; i < count; ++i)
+    result.push_back(all[part(i, count) + random() % (part(i + 1, count) - part(i, count))]);
   return result;
 }
 
 LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions& options) {
   const ContactPreparation of_all = internal::prepare(samples, options);
   const std::size_t rows = std::min(samples.size(), options.rows_of_choice);
-  const ContactPreparation preparation = rows < samples.size() ? internal::prepare(drawn(samples, rows), options) : of_all;
+  const ContactPreparation preparation =
+      rows < samples.size() ? internal::prepare(drawn(samples, rows), options) : of_all;
   LawSelection selection;
   const std::array<ContactModel, 8> models{ContactModel::of(flat_punch()),
                                            ContactModel::of(uniform()),
@@ -56,11 +58,13 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   try {
     for (const ContactModel& model : models) fits.push_back(internal::fit_prepared(preparation, model, options));
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(std::string(error.what()) +
-                                "; to distinguish laws, use slips that slide and twist at once, more of them than parameters");
+    throw std::invalid_argument(
+        std::string(error.what()) +
+        "; to distinguish laws, use slips that slide and twist at once, more of them than parameters");
   }
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return fits[a].report.aic < fits[b].report.aic; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return fits[a].report.aic < fits[b].report.aic; });
   for (const std::size_t i : order) selection.candidates.push_back(std::move(fits[i]));
   ContactFit& best = selection.candidates.front();
   std::string rivals;
@@ -69,7 +73,8 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
     const double difference = candidate.report.aic - best.report.aic;
     selection.aic_difference.push_back(difference);
     if (&candidate != &best && difference < 2.0) {
-      rivals += (rivals.empty() ? "" : ", ") + candidate.model + " (AICc difference " + format_number(difference, 3) + ")";
+      rivals +=
+          (rivals.empty() ? "" : ", ") + candidate.model + " (AICc difference " + format_number(difference, 3) + ")";
     } else if (&candidate != &best && std::max(candidate.report.rms, best.report.rms) < internal::perfect) {
       ties += (ties.empty() ? "" : ", ") + candidate.model;
     }
@@ -86,9 +91,10 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
     best = std::move(fit);
   }
   internal::check_assumptions(best, samples, models.at(order.front()), options);
-  const std::string chosen_with = rows < samples.size() ? ", with " + std::to_string(rows) + " rows drawn evenly over load and slip" : "";
-  best.report.note = internal::note_of(best.model + " (best of " + std::to_string(models.size()) + " laws by AICc" + chosen_with +
-                                           "; the errors include the choice, but for n and k)",
+  const std::string chosen_with =
+      rows < samples.size() ? ", with " + std::to_string(rows) + " rows drawn evenly over load and slip" : "";
+  best.report.note = internal::note_of(best.model + " (best of " + std::to_string(models.size()) + " laws by AICc" +
+                                           chosen_with + "; the errors include the choice, but for n and k)",
                                        options, samples.size() - best.report.free_parameters, preparation.with_sigma);
   internal::test_scatter(best, samples, of_all, options);
   if (!rivals.empty()) best.report.warnings.push_back("the data cannot distinguish " + best.model + " from " + rivals);
@@ -102,7 +108,8 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
 }  // namespace
 
 LawSelection select_law(std::span<const Sample> samples, const ContactFitOptions& options) {
-  return internal::fit_or_outlive_outliers(options, [&](const ContactFitOptions& with) { return select_by(samples, with); });
+  return internal::fit_or_outlive_outliers(options,
+                                           [&](const ContactFitOptions& with) { return select_by(samples, with); });
 }
 
 }  // namespace limitcurve::fit

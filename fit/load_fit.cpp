@@ -84,7 +84,8 @@ std::vector<internal::Parameter> free_parameters(const Preparation& data, LoadMo
 }
 
 Preparation prepare(const LoadSamples& samples, const Loss& loss) {
-  if (!(loss.scale > 0.0) || std::isinf(loss.scale)) throw out_of_range("loss scale", loss.scale, "1", "> 0 and finite");
+  if (!(loss.scale > 0.0) || std::isinf(loss.scale))
+    throw out_of_range("loss scale", loss.scale, "1", "> 0 and finite");
   if (samples.samples.empty()) throw std::invalid_argument("samples: expected at least one, got none");
   Preparation data;
   const bool moments = samples.quantity == LoadSamples::Quantity::moment;
@@ -94,14 +95,15 @@ Preparation prepare(const LoadSamples& samples, const Loss& loss) {
     const LoadSample& sample = samples.samples[i];
     const auto require = [&](bool good, const char* name, double value, const char* expected) {
       if (!good) {
-        throw std::invalid_argument("sample " + std::to_string(i + 1) + ": " + name + " = " + format_number(value) + ": expected " +
-                                    expected);
+        throw std::invalid_argument("sample " + std::to_string(i + 1) + ": " + name + " = " + format_number(value) +
+                                    ": expected " + expected);
       }
     };
     require(sample.load > 0.0 && std::isfinite(sample.load), "load", sample.load, "> 0 N and finite");
-    require(sample.value > 0.0 && std::isfinite(sample.value), moments ? "moment" : "radius", sample.value, "> 0 and finite");
-    require(data.with_sigma ? sample.sigma > 0.0 && std::isfinite(sample.sigma) : sample.sigma == 0.0, "sigma", sample.sigma,
-            data.with_sigma ? "> 0 and finite in every sample" : "0 in every sample, as in the first");
+    require(sample.value > 0.0 && std::isfinite(sample.value), moments ? "moment" : "radius", sample.value,
+            "> 0 and finite");
+    require(data.with_sigma ? sample.sigma > 0.0 && std::isfinite(sample.sigma) : sample.sigma == 0.0, "sigma",
+            sample.sigma, data.with_sigma ? "> 0 and finite in every sample" : "0 in every sample, as in the first");
     data.rows.push_back({std::log(sample.load), sample.value, sample.sigma});
     data.log_reference += std::log(sample.load) / static_cast<double>(samples.samples.size());
   }
@@ -110,7 +112,8 @@ Preparation prepare(const LoadSamples& samples, const Loss& loss) {
     // A robust loss needs the typical error, the same for all models: take it from the most flexible one.
     const std::vector<internal::Parameter> parameters = free_parameters(data, LoadModel::power);
     const LoadResiduals residuals(data.rows, data.offset, true, 0.0, 1.0);
-    data.noise = std::max(1.4826 * internal::median_size(internal::minimise(residuals, parameters, Loss::cauchy(0.05)).residuals), 1e-9);
+    data.noise = std::max(
+        1.4826 * internal::median_size(internal::minimise(residuals, parameters, Loss::cauchy(0.05)).residuals), 1e-9);
   }
   return data;
 }
@@ -133,8 +136,10 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
 
   LoadFit fit{model, {}};
   internal::describe(fit.report, solution);
-  fit.report.note = std::string(to_string(model)) + "; gamma " + (fit_gamma ? "fitted" : "assumed") + "; " + to_string(loss.kind) +
-                    " loss" + (data.with_sigma ? "" : "; relative errors of one size assumed" + internal::note_of_few_rows(count - free));
+  fit.report.note =
+      std::string(to_string(model)) + "; gamma " + (fit_gamma ? "fitted" : "assumed") + "; " + to_string(loss.kind) +
+      " loss" +
+      (data.with_sigma ? "" : "; relative errors of one size assumed" + internal::note_of_few_rows(count - free));
   fit.report.rms *= data.noise;
   fit.report.aic = internal::akaike(solution.cost, count, free, data.with_sigma || robust);
   // From the value at the reference load to that at 1 N, per newton for moments.
@@ -143,11 +148,13 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
   const std::array<internal::Quantity, 2> quantities{
       {{parameters[0].name, coefficient, gamma == 0.0 && !fit_gamma ? "m" : "m/N^gamma"}, {"gamma", gamma, "1"}}};
   if (fit_gamma) {
-    internal::set_estimates(fit.report, quantities, std::array{coefficient, -coefficient * data.log_reference, 0.0, 1.0}, covariance);
+    internal::set_estimates(fit.report, quantities,
+                            std::array{coefficient, -coefficient * data.log_reference, 0.0, 1.0}, covariance);
     internal::warn_of_end(fit.report, parameters.back(), gamma);
     const Estimate& estimate = fit.report.at("gamma");
     if (estimate.value < -2.0 * estimate.std_error || estimate.value > 1.0 / 3.0 + 2.0 * estimate.std_error) {
-      fit.report.warnings.push_back("gamma = " + format_number(estimate.value, 3) + " is outside 0 to 1/3, the range of solid contacts");
+      fit.report.warnings.push_back("gamma = " + format_number(estimate.value, 3) +
+                                    " is outside 0 to 1/3, the range of solid contacts");
     }
   } else {
     internal::set_estimates(fit.report, quantities, std::array{coefficient, 0.0}, covariance);
@@ -157,7 +164,8 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
   return fit;
 }
 
-/// Fits the power law with Cauchy's loss, and warns of gross outliers and of an assumed growth that the data contradict.
+/// Fits the power law with Cauchy's loss, and warns of gross outliers and of an assumed growth that the data
+/// contradict.
 void check_assumptions(LoadFit& fit, const LoadSamples& samples, const Loss& loss) {
   try {
     const Preparation data = prepare(samples, Loss::cauchy());
@@ -167,8 +175,9 @@ void check_assumptions(LoadFit& fit, const LoadSamples& samples, const Loss& los
     internal::warn_of_outliers(fit.report, internal::outliers_of(solution, data.with_sigma, data.noise), loss);
     if (fit.model == LoadModel::power) return;
     const std::vector<double> spread = internal::covariance(solution, parameters, Loss::cauchy(), 1.0);
-    internal::warn_of_growth(fit.report, fixed_gamma(fit.model), {"gamma", solution.values[1], std::sqrt(spread[3]), "1"},
-                             static_cast<double>(data.rows.size()) - 2.0, internal::root_mean_square(solution.residuals) * data.noise);
+    internal::warn_of_growth(
+        fit.report, fixed_gamma(fit.model), {"gamma", solution.values[1], std::sqrt(spread[3]), "1"},
+        static_cast<double>(data.rows.size()) - 2.0, internal::root_mean_square(solution.residuals) * data.noise);
   } catch (const std::invalid_argument&) {
     // Too few rows for a power law, or only one load: no warning possible.
   }

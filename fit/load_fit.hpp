@@ -19,19 +19,22 @@ enum class LoadModel {
 /// linear, hertz, power.
 const char* to_string(LoadModel model) noexcept;
 
-/// Estimates c [m/N^γ] (from radii) or mu_r [m/N^γ] (from moments), then gamma [1]; the standard error of a fixed γ is 0.
+/// Estimates c [m/N^γ] (from radii) or mu_r [m/N^γ] (from moments), then gamma [1]; the standard error of a fixed γ is
+/// 0.
 struct LoadFit {
   LoadModel model;
   FitReport report;
 };
 
-/// Least squares of the values in units of their sigmas. Without sigmas, least squares of their logarithms: errors are relative, and
-/// `report.rms` is their size, from the scatter. Starting values come from the data. Cost: below 1 ms. Throws std::invalid_argument that
-/// names a bad sample, or the parameters that the data do not determine (γ from one load).
+/// Least squares of the values in units of their sigmas. Without sigmas, least squares of their logarithms: errors are
+/// relative, and `report.rms` is their size, from the scatter. Starting values come from the data. Cost: below 1 ms.
+/// Throws std::invalid_argument that names a bad sample, or the parameters that the data do not determine (γ from one
+/// load).
 LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss = {});
 
-/// The fits of the three models, best first by AICc; `aic_difference` in the same order. The report of the best warns of every model that
-/// the data cannot distinguish from it (difference below 2). Its standard errors include the choice, as those of `select_law` do.
+/// The fits of the three models, best first by AICc; `aic_difference` in the same order. The report of the best warns
+/// of every model that the data cannot distinguish from it (difference below 2). Its standard errors include the
+/// choice, as those of `select_law` do.
 struct LoadSelection {
   std::vector<LoadFit> candidates;
   std::vector<double> aic_difference;

@@ -30,8 +30,8 @@ struct LoadSamples {
   std::vector<LoadSample> samples;
 };
 
-/// Loss function: the influence of a large residual. `scale` is the residual, in standard deviations, above which a sample is doubtful:
-/// ρ(r²) is r² below about scale². The defaults lose 5 % of efficiency on clean Gaussian data.
+/// Loss function: the influence of a large residual. `scale` is the residual, in standard deviations, above which a
+/// sample is doubtful: ρ(r²) is r² below about scale². The defaults lose 5 % of efficiency on clean Gaussian data.
 struct Loss {
   enum class Kind {
     squared,  ///< r²: best for Gaussian errors, spoiled by one gross outlier

@@ -35,7 +35,8 @@ ModelFit fit_model(std::string_view model, const Law& law, Criterion criterion) 
   return {std::string(model), fit.report, fit.error};
 }
 
-ModelFit fit_model(std::string_view model, std::span<const Sample> samples, const Law& law, const ContactFitOptions& options) {
+ModelFit fit_model(std::string_view model, std::span<const Sample> samples, const Law& law,
+                   const ContactFitOptions& options) {
   using Kind = ContactModel::Kind;
   const auto done = [](ContactFit fit) {
     return ModelFit{std::move(fit.model), std::move(fit.report), std::nullopt, std::move(fit.residuals)};

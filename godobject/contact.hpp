@@ -19,9 +19,9 @@ using Numbers = std::array<double, 3>;
   return {vector.x(), vector.y(), vector.z()};
 }
 
-/// What is farther from the origin [m] is a fault of the device. A finger's sample is plausible if the sum of squares of its coordinates
-/// and depth [m] and its twist [rad] is at most farthest²; NaN is not. At this distance positions are rounded to 1e-10 m, and loads with
-/// them: put the origin near the contact.
+/// What is farther from the origin [m] is a fault of the device. A finger's sample is plausible if the sum of squares
+/// of its coordinates and depth [m] and its twist [rad] is at most farthest²; NaN is not. At this distance positions
+/// are rounded to 1e-10 m, and loads with them: put the origin near the contact.
 inline constexpr double farthest = 1e6;
 
 /// Whether a sample is plausible (`farthest`), by the sum of squares of its coordinates, depth and twist.
@@ -30,8 +30,9 @@ template <class Real, class Number>
   return sum_of_squares <= Number(static_cast<Real>(farthest * farthest));
 }
 
-/// A rotation: a quaternion of unit length. It converts from and to `Eigen::Quaterniond`, whose alignment depends on the processor that a file
-/// is compiled for (-march=native): poses must have the same layout in your code and in the library.
+/// A rotation: a quaternion of unit length. It converts from and to `Eigen::Quaterniond`, whose alignment depends on
+/// the processor that a file is compiled for (-march=native): poses must have the same layout in your code and in the
+/// library.
 using Orientation = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 /// The pose of a device's finger, in the frame of the surface.
@@ -41,9 +42,10 @@ struct DevicePose {
   double twist = 0.0;  ///< added twist about the contact normal [rad], for a device that measures an angle only
 };
 
-/// The pose of a body: of its frame in the world. A finger's frame is that of the body it touches, which may move: `state` and `output` stay in
-/// it. If you find contacts in the world, call `finger.update(to_body(body, contact), to_body(body, orientation), dt)` and take
-/// `to_world(body, output)`; a finger that is given the world's coordinates feels no friction from a body that moves beneath it.
+/// The pose of a body: of its frame in the world. A finger's frame is that of the body it touches, which may move:
+/// `state` and `output` stay in it. If you find contacts in the world, call `finger.update(to_body(body, contact),
+/// to_body(body, orientation), dt)` and take `to_world(body, output)`; a finger that is given the world's coordinates
+/// feels no friction from a body that moves beneath it.
 struct BodyPose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the body's origin [m]; of a free body the centre of mass
   Orientation orientation = Orientation::Identity();   ///< body to world, of unit length
@@ -51,11 +53,14 @@ struct BodyPose {
   [[nodiscard]] Eigen::Vector3d to_body(const Eigen::Vector3d& point) const noexcept {
     return orientation.conjugate() * (point - position);
   }
-  [[nodiscard]] Eigen::Vector3d to_world(const Eigen::Vector3d& point) const noexcept { return position + orientation * point; }
+  [[nodiscard]] Eigen::Vector3d to_world(const Eigen::Vector3d& point) const noexcept {
+    return position + orientation * point;
+  }
 };
 
-/// The state of a contact query between steps: the face that the finger is on, so that a finger pressed deep into a thin plate does not
-/// come out at the other side. Plain data, one for each finger; a SoftFinger keeps that of its last good sample.
+/// The state of a contact query between steps: the face that the finger is on, so that a finger pressed deep into a
+/// thin plate does not come out at the other side. Plain data, one for each finger; a SoftFinger keeps that of its last
+/// good sample.
 struct ContactMemory {
   int face = -1;       ///< the face touched in the last step; < 0: none
   Numbers finger{};    ///< the finger's position in the last step [m]
@@ -68,9 +73,10 @@ struct Contact {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward unit normal there
   double depth = 0.0;                                 ///< d [m], depth of the finger beneath the surface; ≤ 0 outside
   ContactMemory memory = {};                          ///< to be passed to the next contact query
-  /// Whether the finger has left the surface since the last sample and landed on it anew, as from one wall to another: then it touches down,
-  /// and the springs are relaxed as in a first contact. Your own surface may leave it false; then only the first contact touches down. On
-  /// another body, whose frame is another, call `SoftFinger::reset` before the step.
+  /// Whether the finger has left the surface since the last sample and landed on it anew, as from one wall to another:
+  /// then it touches down, and the springs are relaxed as in a first contact. Your own surface may leave it false; then
+  /// only the first contact touches down. On another body, whose frame is another, call `SoftFinger::reset` before the
+  /// step.
   bool landed = false;
 };
 
@@ -82,18 +88,19 @@ struct Contact {
   return {body.to_body(device.position), to_body(body, device.orientation), device.twist};
 }
 [[nodiscard]] inline Contact to_body(const BodyPose& body, const Contact& contact) noexcept {
-  return {body.to_body(contact.point), body.orientation.conjugate() * contact.normal, contact.depth, contact.memory, contact.landed};
+  return {body.to_body(contact.point), body.orientation.conjugate() * contact.normal, contact.depth, contact.memory,
+          contact.landed};
 }
 
-/// The spin of a device about the surface normal along its path: ∫ω·n dt, n the current normal. For a moment M about the normal the power
-/// is M·dα/dt. Moving without turning gives no spin, on any surface; the device's initial orientation does not matter. A `SoftFinger` has
-/// its own Spin; a batch takes the angle. Plain data.
+/// The spin of a device about the surface normal along its path: ∫ω·n dt, n the current normal. For a moment M about
+/// the normal the power is M·dα/dt. Moving without turning gives no spin, on any surface; the device's initial
+/// orientation does not matter. A `SoftFinger` has its own Spin; a batch takes the angle. Plain data.
 ///
-/// An orientation that cones, and comes back to where it was, gives a spin of its solid angle, 2π(1 − cos θ) per circle at θ rad. That is
-/// right for a finger that rolls on to new skin. A pad that keeps its skin is wound up, too, until it slips: a weight that hangs on it,
-/// half of what friction carries, sinks by 0.02 mm in 50 circles at 0.02 rad, and by 13 mm at 0.2 rad (a = 6 mm, k_l = 1000 N/m, k_r =
-/// 0.036 N m/rad). If your pad only rocks, give its twist by `DevicePose::twist`, or in `update(contact, twist)`, and keep the orientation
-/// still.
+/// An orientation that cones, and comes back to where it was, gives a spin of its solid angle, 2π(1 − cos θ) per circle
+/// at θ rad. That is right for a finger that rolls on to new skin. A pad that keeps its skin is wound up, too, until it
+/// slips: a weight that hangs on it, half of what friction carries, sinks by 0.02 mm in 50 circles at 0.02 rad, and by
+/// 13 mm at 0.2 rad (a = 6 mm, k_l = 1000 N/m, k_r = 0.036 N m/rad). If your pad only rocks, give its twist by
+/// `DevicePose::twist`, or in `update(contact, twist)`, and keep the orientation still.
 struct Spin {
   double angle = 0.0;   ///< [rad] since the first sample, unwrapped
   Numbers normal{};     ///< of the last sample
@@ -101,9 +108,10 @@ struct Spin {
   double scalar = 1.0;  ///< … and its scalar part
   bool started = false;
 
-  /// The spin after the next sample: the device's orientation and the outward normal, both of unit length and in the surface's frame.
-  /// Assumes that the device turns about one axis by less than π between samples, and takes the mean of both normals. The error along a
-  /// path is of second order in the time step, and 0 if the normal stays or turns evenly about that axis.
+  /// The spin after the next sample: the device's orientation and the outward normal, both of unit length and in the
+  /// surface's frame. Assumes that the device turns about one axis by less than π between samples, and takes the mean
+  /// of both normals. The error along a path is of second order in the time step, and 0 if the normal stays or turns
+  /// evenly about that axis.
   [[nodiscard]] Spin moved(const Orientation& orientation, const Eigen::Vector3d& present_normal) const noexcept;
 };
 

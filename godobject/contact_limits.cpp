@@ -31,14 +31,16 @@ double fraction(double sliding, double sticking) {
 template <class Real>
 void check_projection(const BasicFingerCurve<Real>& curve, Projection projection) {
   if (curve.is_box() && projection != Projection::closest_point)
-    throw std::invalid_argument("projection: a box goes with closest-point only, which clamps force and moment each on its own");
+    throw std::invalid_argument(
+        "projection: a box goes with closest-point only, which clamps force and moment each on its own");
 }
 template void check_projection(const BasicFingerCurve<double>& curve, Projection projection);
 template void check_projection(const BasicFingerCurve<float>& curve, Projection projection);
 
 template <std::floating_point Real>
 Real radius_at(const RadiusLaw& law, Real load) noexcept {
-  return static_cast<Real>(std::min(law.radius(static_cast<double>(load)), static_cast<double>(std::numeric_limits<Real>::max())));
+  return static_cast<Real>(
+      std::min(law.radius(static_cast<double>(load)), static_cast<double>(std::numeric_limits<Real>::max())));
 }
 
 template double radius_at(const RadiusLaw&, double) noexcept;
@@ -48,12 +50,14 @@ double stick_fraction(double sliding_fraction, double rest_margin) noexcept {
   // A trial within a limit of almost 0 is rounding: a contact without a sliding limit never comes to rest.
   constexpr double rounding = 1e-12;
   if (!(sliding_fraction < 1.0)) return 1.0;
-  return sliding_fraction > rounding ? sliding_fraction / (sliding_fraction + rest_margin * (1.0 - sliding_fraction)) : 0.0;
+  return sliding_fraction > rounding ? sliding_fraction / (sliding_fraction + rest_margin * (1.0 - sliding_fraction))
+                                     : 0.0;
 }
 
 std::optional<BadParameter> first_bad(const FingerParameters& parameters, std::optional<double> moment_max) noexcept {
   std::optional<BadParameter> bad;
-  const auto require = [&](bool holds, std::string_view name, double value, std::string_view unit, std::string_view range) {
+  const auto require = [&](bool holds, std::string_view name, double value, std::string_view unit,
+                           std::string_view range) {
     if (!holds && !bad) bad = {name, value, unit, range};
   };
   for_each_number(parameters, [&](const ParameterInfo& number, std::optional<double> value) {
@@ -82,7 +86,8 @@ std::optional<BadParameter> first_bad(const FingerParameters& parameters, std::o
 }
 
 ContactLimits::ContactLimits(const FingerParameters& parameters, std::optional<double> moment_max) {
-  if (const auto bad = first_bad(parameters, moment_max)) throw out_of_range(bad->name, bad->value, bad->unit, bad->range);
+  if (const auto bad = first_bad(parameters, moment_max))
+    throw out_of_range(bad->name, bad->value, bad->unit, bad->range);
   const double mu = parameters.mu;
   const double sliding = mu_of_slip(parameters);
   if (parameters.mu_r) {
@@ -104,12 +109,14 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, std::optional<d
     has_torsion_ = mu > 0.0;
   }
   sliding_radius_fraction_ = sliding_.radius / sticking_.radius;
-  const double moment_fraction = has_torsion_ ? fraction(sliding_.force * sliding_.radius, sticking_.force * sticking_.radius) : 1.0;
+  const double moment_fraction =
+      has_torsion_ ? fraction(sliding_.force * sliding_.radius, sticking_.force * sticking_.radius) : 1.0;
   force_stick_fraction_ = stick_fraction(fraction(sliding_.force, sticking_.force), parameters.rest_margin);
   moment_stick_fraction_ = stick_fraction(moment_fraction, parameters.rest_margin);
 }
 
-double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& parameters, const FingerState& state) const noexcept {
+double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& parameters,
+                             const FingerState& state) const noexcept {
   if (!state.in_contact) return 1.0;
   if (state.output.state == ContactState::slip) return 0.0;
   const FrictionTrial<double> wrench{state.output.force.norm(), std::fabs(state.output.moment)};
@@ -120,10 +127,13 @@ double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& p
     // Compare force and moment with the limits that act on each.
     const FrictionLimit<double> of_moment = acting(state.friction.moment_slides);
     const double moment_limit = of_moment.force * of_moment.radius * static_cast<double>(curve.view().moment_max);
-    const double force_fraction = wrench.force > 0.0 ? wrench.force / (acting(state.friction.force_slides).force * curve.force_max()) : 0.0;
-    return std::clamp(1.0 - std::max(force_fraction, wrench.moment > 0.0 ? wrench.moment / moment_limit : 0.0), 0.0, 1.0);
+    const double force_fraction =
+        wrench.force > 0.0 ? wrench.force / (acting(state.friction.force_slides).force * curve.force_max()) : 0.0;
+    return std::clamp(1.0 - std::max(force_fraction, wrench.moment > 0.0 ? wrench.moment / moment_limit : 0.0), 0.0,
+                      1.0);
   }
-  const UnitTrial<double> trial = unit_trial(curve.view(), acting(state.friction.force_slides), wrench, limits.stiffness_ratio);
+  const UnitTrial<double> trial =
+      unit_trial(curve.view(), acting(state.friction.force_slides), wrench, limits.stiffness_ratio);
   return std::clamp(1.0 - fraction_of_limit(curve.view(), limits.has_torsion, trial, 0.0), 0.0, 1.0);
 }
 

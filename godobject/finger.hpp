@@ -16,30 +16,32 @@
 
 namespace limitcurve::godobject {
 
-/// Everything about a soft finger except its limit curve: friction, contact radius, springs, dampers, fault handling. SI units, radians.
+/// Everything about a soft finger except its limit curve: friction, contact radius, springs, dampers, fault handling.
+/// SI units, radians.
 struct FingerParameters {
   double mu = 0.5;                                    ///< coefficient of static friction μ, ≥ 0
   std::optional<double> mu_dynamic = {};              ///< coefficient during slip, 0 ≤ μ_d ≤ μ; absent: μ
   RadiusLaw radius_law = RadiusLaw::constant(0.005);  ///< contact radius a(P)
-  std::optional<double> mu_r = {};                    ///< μ_r [m/N^γ] ≥ 0: Γ = μ_r P^(1+γ), replaces the radius law (eq. 2)
-  double gamma = 0.0;                                 ///< γ ∈ [−0.5, 1] of the moment coefficients
-  /// μ_r during slip [m/N^γ]; absent: μ_r μ_d/μ. If μ_d = 0, closest_point keeps this moment; radial and c_curve lose it, because the ray
-  /// to a trial with a force meets the limit at 0.
+  std::optional<double> mu_r = {};  ///< μ_r [m/N^γ] ≥ 0: Γ = μ_r P^(1+γ), replaces the radius law (eq. 2)
+  double gamma = 0.0;               ///< γ ∈ [−0.5, 1] of the moment coefficients
+  /// μ_r during slip [m/N^γ]; absent: μ_r μ_d/μ. If μ_d = 0, closest_point keeps this moment; radial and c_curve lose
+  /// it, because the ray to a trial with a force meets the limit at 0.
   std::optional<double> mu_r_dynamic = {};
   double stiffness = 1000.0;       ///< k_l [N/m] > 0, normal and tangential
   double twist_stiffness = 0.025;  ///< k_r [N m/rad] > 0; an elastic pad has k_l a² (docs/drive.md)
   double damping = 0.0;            ///< b_l [N s/m] ≥ 0, normal and tangential; acts if `update` has a time step
   double twist_damping = 0.0;      ///< b_r [N m s/rad] ≥ 0
-  /// Hysteresis between static and dynamic friction [1] ≥ 0, against chatter: noise, a repeated sample or device resolution must not put a
-  /// sliding finger back into static friction. It comes to rest once its trial is within the sliding limit divided by 1 +
-  /// rest_margin·(μ/μ_d − 1). By default the trial must fall by about 0.4 of the gap between the limits; stick–slip of a mass on springs no
-  /// stiffer than the contact makes it fall by at least 0.5. 0: at rest as soon as the trial is within the sliding limit.
+  /// Hysteresis between static and dynamic friction [1] ≥ 0, against chatter: noise, a repeated sample or device
+  /// resolution must not put a sliding finger back into static friction. It comes to rest once its trial is within the
+  /// sliding limit divided by 1 + rest_margin·(μ/μ_d − 1). By default the trial must fall by about 0.4 of the gap
+  /// between the limits; stick–slip of a mass on springs no stiffer than the contact makes it fall by at least 0.5. 0:
+  /// at rest as soon as the trial is within the sliding limit.
   double rest_margin = 0.4;
-  /// Largest displacement between two samples [m] > 0. A larger jump is taken for a device fault and makes the sample `invalid`; if the
-  /// next sample stays near, it is accepted. The default is 500 m/s at 1 kHz; ∞ accepts every sample.
+  /// Largest displacement between two samples [m] > 0. A larger jump is taken for a device fault and makes the sample
+  /// `invalid`; if the next sample stays near, it is accepted. The default is 500 m/s at 1 kHz; ∞ accepts every sample.
   double max_displacement = 0.5;
-  /// How fast the output fades during faults ∈ [0, 1]: each invalid sample after the first multiplies load, force and moment by it. The
-  /// default halves them in 70 samples; 1 holds them forever.
+  /// How fast the output fades during faults ∈ [0, 1]: each invalid sample after the first multiplies load, force and
+  /// moment by it. The default halves them in 70 samples; 1 holds them forever.
   double fault_decay = 0.99;
 };
 
@@ -48,8 +50,10 @@ inline constexpr double shortest_time_step = 1e-9;
 
 /// Whether a time step [s] is valid: ≥ 0 and finite, not NaN.
 [[nodiscard]] constexpr bool is_time_step(double time_step) noexcept {
-  // In one comparison: negative numbers have larger bit patterns than infinity, non-finite ones no smaller; −0 + 0 is 0.
-  return std::bit_cast<std::uint64_t>(time_step + 0.0) < std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  // In one comparison: negative numbers have larger bit patterns than infinity, non-finite ones no smaller; −0 + 0 is
+  // 0.
+  return std::bit_cast<std::uint64_t>(time_step + 0.0) <
+         std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
 }
 
 /// The state of a contact.
@@ -81,34 +85,38 @@ enum class Fault : std::uint8_t {
 
 /// The fault in words, as in "a sample is invalid: the normal is not of unit length"; "none" without a fault.
 constexpr std::string_view to_string(Fault fault) noexcept {
-  constexpr std::array<std::string_view, 9> reasons{"none",
-                                                    "a number is not finite",
-                                                    "a coordinate, the depth or the twist is beyond 1e6",
-                                                    "the orientation is not of unit length",
-                                                    "the normal is not of unit length",
-                                                    "the time goes back or is not finite",
-                                                    "the finger moved by more than the maximum displacement",
-                                                    "the body's pose is not finite, beyond 1e6 m, or not of unit length",
-                                                    "the force or the moment on the body is not finite, or would move it beyond 1e6"};
+  constexpr std::array<std::string_view, 9> reasons{
+      "none",
+      "a number is not finite",
+      "a coordinate, the depth or the twist is beyond 1e6",
+      "the orientation is not of unit length",
+      "the normal is not of unit length",
+      "the time goes back or is not finite",
+      "the finger moved by more than the maximum displacement",
+      "the body's pose is not finite, beyond 1e6 m, or not of unit length",
+      "the force or the moment on the body is not finite, or would move it beyond 1e6"};
   return reasons[static_cast<std::size_t>(fault)];
 }
 
 /// What one step returns: the force and moment to render, and the state of the contact.
 struct FingerOutput {
   ContactState state = ContactState::free;
-  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();    ///< x_p [m]; while free, the finger's position
-  double angle = 0.0;                                 ///< α_p [rad], measured like the device's twist; while free, the twist
-  double depth = 0.0;                                 ///< d [m]; NaN in a step under a given load
+  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();  ///< x_p [m]; while free, the finger's position
+  double angle = 0.0;  ///< α_p [rad], measured like the device's twist; while free, the twist
+  double depth = 0.0;  ///< d [m]; NaN in a step under a given load
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward, at the contact
-  /// Normal force on the user [N], 0 while free. It is the load that bounds friction (`FingerState::limit_load`: k_l d plus the damper's
-  /// part) plus, on a curved surface, its push: k_l times the rise from x_g to the proxy, < 0 if convex. With the push, the force is the
-  /// gradient of the springs' energy, so closed loops gain none; without it they may. `load_to_hold` counts it too.
+  /// Normal force on the user [N], 0 while free. It is the load that bounds friction (`FingerState::limit_load`: k_l d
+  /// plus the damper's part) plus, on a curved surface, its push: k_l times the rise from x_g to the proxy, < 0 if
+  /// convex. With the push, the force is the gradient of the springs' energy, so closed loops gain none; without it
+  /// they may. `load_to_hold` counts it too.
   double load = 0.0;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential
   double moment = 0.0;                                    ///< friction on the user about the normal [N m]
-  double cor = std::numeric_limits<double>::quiet_NaN();  ///< distance of the slip's COR from the contact centre [m]; NaN without slip
-  double slip_work = 0.0;                                 ///< energy dissipated by slip in this step [J], ≥ 0 if `converged`
-  /// False if the search for a patch's closest point did not converge: the wrench is on the limit surface, but not the closest point.
+  double cor = std::numeric_limits<double>::quiet_NaN();  ///< distance of the slip's COR from the contact centre [m];
+                                                          ///< NaN without slip
+  double slip_work = 0.0;  ///< energy dissipated by slip in this step [J], ≥ 0 if `converged`
+  /// False if the search for a patch's closest point did not converge: the wrench is on the limit surface, but not the
+  /// closest point.
   bool converged = true;
   Fault fault = Fault::none;  ///< the reason for `ContactState::invalid`; none in any other state
 
@@ -150,7 +158,8 @@ struct FingerFaults {
 struct PatchMemory {
   Eigen::Vector3d zero_axis = Eigen::Vector3d::Zero();  ///< unit tangent: the patch's x axis at α_p = 0
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();       ///< its x axis in the last step, before slip turned it
-  Eigen::Vector3d slip = Eigen::Vector3d::Zero();       ///< the last slip (v_x, v_y, ω) in those axes [m, rad]; zero without slip
+  Eigen::Vector3d slip =
+      Eigen::Vector3d::Zero();  ///< the last slip (v_x, v_y, ω) in those axes [m, rad]; zero without slip
 };
 
 /// The complete state of a finger between steps. Plain data: copy it, save it, restore it.
@@ -164,9 +173,11 @@ struct FingerState {
   PatchMemory patch{};
   /// Under a given load: the normal that holds the proxy, within 0.25 rad of the current one (finger/springs.hpp).
   Eigen::Vector3d held_normal = Eigen::Vector3d::UnitZ();
-  bool in_contact = false;   ///< unchanged by invalid samples
-  double limit_load = 0.0;   ///< P that bounds friction [N]: k_l d plus the damper's force; `FingerOutput::load` without the surface's push
-  double trial_force = 0.0;  ///< trial wrench of the last step (eq. 7): force of springs and dampers if the proxy had stayed [N]
+  bool in_contact = false;  ///< unchanged by invalid samples
+  double limit_load = 0.0;  ///< P that bounds friction [N]: k_l d plus the damper's force; `FingerOutput::load` without
+                            ///< the surface's push
+  double trial_force =
+      0.0;  ///< trial wrench of the last step (eq. 7): force of springs and dampers if the proxy had stayed [N]
   double trial_moment = 0.0;  ///< and their moment [N m]
 };
 

@@ -29,7 +29,9 @@ BasicFingerCurve<Real>::BasicFingerCurve(const Polygon<3>& box) {
 
 template <class Real>
 BasicFingerCurve<Real>::BasicFingerCurve(const BasicTable<Real>& table)
-    : view_(table.view()), owner_(std::make_shared<const BasicTable<Real>>(table)), error_(table.checked_error() + table.profile_error()) {}
+    : view_(table.view()),
+      owner_(std::make_shared<const BasicTable<Real>>(table)),
+      error_(table.checked_error() + table.profile_error()) {}
 
 template <class Real>
 UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {
@@ -37,7 +39,8 @@ UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {
   const auto [slide, spin] = twist.direction();
   if (is_box()) {
     if (std::isnan(slide)) return {slide, slide};
-    return {slide > 0.0 ? static_cast<double>(view_.force_max) : 0.0, spin > 0.0 ? static_cast<double>(view_.moment_max) : 0.0};
+    return {slide > 0.0 ? static_cast<double>(view_.force_max) : 0.0,
+            spin > 0.0 ? static_cast<double>(view_.moment_max) : 0.0};
   }
   const bool outside = slide > spin;
   const auto x = static_cast<Real>(outside ? spin : slide);
@@ -70,7 +73,8 @@ double BasicFingerCurve<Real>::gauge(UnitWrench wrench) const noexcept {
   // In units of the larger component, for float has fewer decades than double.
   const double size = std::max(force, moment);
   if (!(force + moment > 0.0 && size <= std::numeric_limits<double>::max())) return force + moment;
-  return size * static_cast<double>(limitcurve::gauge(view_, static_cast<Real>(force / size), static_cast<Real>(moment / size), Real(0)));
+  return size * static_cast<double>(limitcurve::gauge(view_, static_cast<Real>(force / size),
+                                                      static_cast<Real>(moment / size), Real(0)));
 }
 
 template class BasicFingerCurve<double>;

@@ -27,8 +27,8 @@ struct RadialPoint;
 
 namespace limitcurve::godobject {
 
-/// The limit curve of a finger or a batch: an ellipse, a box (uncoupled limits), or a table of any other curve. Immutable. Copies share the
-/// table's cells, so that copies are cheap and a temporary table is safe. Does not throw.
+/// The limit curve of a finger or a batch: an ellipse, a box (uncoupled limits), or a table of any other curve.
+/// Immutable. Copies share the table's cells, so that copies are cheap and a temporary table is safe. Does not throw.
 template <class Real>
 class BasicFingerCurve {
  public:
@@ -36,16 +36,18 @@ class BasicFingerCurve {
   BasicFingerCurve(const Ellipse& ellipse);         // NOLINT
   BasicFingerCurve(const Polygon<3>& box);          // NOLINT
   BasicFingerCurve(const BasicTable<Real>& table);  // NOLINT
-  /// A curve that other code made, for example from cells in its own memory. The view must stay valid as long as `owner` lives; copies of
-  /// the curve share `owner`. Null if the memory outlives all copies.
-  BasicFingerCurve(const CurveView<Real>& view, std::shared_ptr<const void> owner) : view_(view), owner_(std::move(owner)) {}
+  /// A curve that other code made, for example from cells in its own memory. The view must stay valid as long as
+  /// `owner` lives; copies of the curve share `owner`. Null if the memory outlives all copies.
+  BasicFingerCurve(const CurveView<Real>& view, std::shared_ptr<const void> owner)
+      : view_(view), owner_(std::move(owner)) {}
   // Moves are cheap copies; a moved-from curve stays valid.
   BasicFingerCurve(const BasicFingerCurve&) = default;
   BasicFingerCurve& operator=(const BasicFingerCurve&) = default;
   /// A pressure law is not a limit curve: a compile-time error says what to write.
   template <std::same_as<Law> Other>
   BasicFingerCurve(const Other&) {  // NOLINT
-    static_assert(!std::same_as<Other, Law>, "a finger takes a limit curve, not a pressure law: write Table::build(law)");
+    static_assert(!std::same_as<Other, Law>,
+                  "a finger takes a limit curve, not a pressure law: write Table::build(law)");
   }
 
   [[nodiscard]] const CurveView<Real>& view() const& noexcept { return view_; }
@@ -92,16 +94,17 @@ std::span<const std::string_view> projection_names() noexcept;
 std::string_view to_string(CurveKind kind) noexcept;
 std::string_view to_string(Projection projection) noexcept;
 
-/// The inverse of `to_string`, which takes "_" for "-", too; throws `std::invalid_argument` with the names that were expected.
+/// The inverse of `to_string`, which takes "_" for "-", too; throws `std::invalid_argument` with the names that were
+/// expected.
 CurveKind parse_curve_kind(std::string_view text);
 Projection parse_projection(std::string_view text);
 
-/// The limit curve of a kind for a law; only `table` uses `tolerance`. Allocates; throws like Table::build. Cost: one table. `exact` takes
-/// milliseconds if the law has a closed form, seconds by quadrature.
+/// The limit curve of a kind for a law; only `table` uses `tolerance`. Allocates; throws like Table::build. Cost: one
+/// table. `exact` takes milliseconds if the law has a closed form, seconds by quadrature.
 FingerCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance);
 
-/// The table of a law at a tolerance. If the law does not allow it, tries 10, 100, … times the tolerance. Throws like Table::build if no
-/// tolerance is possible.
+/// The table of a law at a tolerance. If the law does not allow it, tries 10, 100, … times the tolerance. Throws like
+/// Table::build if no tolerance is possible.
 BasicTable<double> finest_table(const Law& law, double tolerance);
 
 }  // namespace limitcurve::godobject

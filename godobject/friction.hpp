@@ -17,10 +17,11 @@ struct FrictionLimit {
 /// The limits of a contact at its current load, and the ratio of its springs.
 template <class Number>
 struct FrictionLimits {
-  FrictionLimit<Number> sticking;            ///< with μ: of a contact that sticks
-  FrictionLimit<Number> sliding;             ///< with μ_d: while it slides; neither μP nor μPa is larger
-  Number stiffness_ratio;                    ///< k_l/k_r [1/m²] of the springs
-  Number force_stick_fraction = Number(1);   ///< a sliding contact comes to rest within the smaller of these two fractions of the
+  FrictionLimit<Number> sticking;  ///< with μ: of a contact that sticks
+  FrictionLimit<Number> sliding;   ///< with μ_d: while it slides; neither μP nor μPa is larger
+  Number stiffness_ratio;          ///< k_l/k_r [1/m²] of the springs
+  Number force_stick_fraction =
+      Number(1);  ///< a sliding contact comes to rest within the smaller of these two fractions of the
   Number moment_stick_fraction = Number(1);  ///< sliding limit, ≤ 1; on the box force and moment each within its own
   bool has_torsion = true;                   ///< false: Γ = 0, the moment is 0 and only the force is limited
   const RadiusLaw* radius_law = nullptr;     ///< a(P) if a depends on P, for the c-curve projection
@@ -39,10 +40,11 @@ struct FrictionTrial {
 /// The state of friction between steps. Initially a contact is at rest.
 template <class Number>
 struct FrictionMemory {
-  decltype(Number{} < Number{}) force_slides{};  ///< the sliding limit acts: it slipped and has not come to rest. On the box: for the force
+  decltype(Number{} < Number{})
+      force_slides{};  ///< the sliding limit acts: it slipped and has not come to rest. On the box: for the force
   decltype(Number{} < Number{}) moment_slides{};  ///< on the box: the same for the moment
-  Number search_start = Number(0);                ///< curve parameter of the last slip, the warm start of the search; 0: none
-  Number search_rate = Number(0);                 ///< its change in the last step
+  Number search_start = Number(0);  ///< curve parameter of the last slip, the warm start of the search; 0: none
+  Number search_rate = Number(0);   ///< its change in the last step
 };
 
 /// The result of the friction step: the fraction of the trial deflection that remains.
@@ -51,15 +53,15 @@ struct FrictionResult {
   decltype(Number{} < Number{}) slips;  ///< in this step
   Number force_fraction;                ///< r′/r = F/(k_l r) ≤ 1; 1 if it sticks
   Number moment_fraction;               ///< ρ′/ρ = M/(k_r ρ) ≤ 1; 1 if it sticks
-  Number cor;                           ///< distance of the slip's centre of rotation [m], ∞ for pure sliding; NaN if it sticks
+  Number cor;  ///< distance of the slip's centre of rotation [m], ∞ for pure sliding; NaN if it sticks
 };
 
 #ifdef LIMITCURVE_COPIES
 inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
-/// Bounds that keep all squares finite: a smaller limit counts as least_limit, and a trial that is longer in units of the limit is shortened to
-/// largest_trial, without a turn.
+/// Bounds that keep all squares finite: a smaller limit counts as least_limit, and a trial that is longer in units of
+/// the limit is shortened to largest_trial, without a turn.
 template <class Real>
 inline constexpr Real least_limit = sizeof(Real) == sizeof(double) ? Real(1e-125) : Real(1e-18);
 template <class Real>
@@ -92,7 +94,9 @@ void keep_direction(UnitTrial<Number>& unit, const FrictionLimit<Number>& limit,
   if (!any(is_long)) [[likely]]
     return;
   const Number most = Number((std::numeric_limits<Real>::max)());
-  const auto in_units = [&](Number part, Number of) { return smaller(abs(part) / larger(Number(least_limit<Real>), of), most); };
+  const auto in_units = [&](Number part, Number of) {
+    return smaller(abs(part) / larger(Number(least_limit<Real>), of), most);
+  };
   const Number force = in_units(trial.force, limit.force);
   const Number moment = has_torsion ? in_units(trial.moment, limit.force * limit.radius) : Number(Real(0));
   const Number shortened = largest / larger(largest, larger(force, moment));
@@ -102,8 +106,9 @@ void keep_direction(UnitTrial<Number>& unit, const FrictionLimit<Number>& limit,
 
 /// Projects the trial on to the limit curve.
 template <class Real, class Number>
-[[nodiscard]] Projected<Number> project(const CurveView<Real>& curve, Projection projection, const FrictionLimits<Number>& limits,
-                                        const UnitTrial<Number>& trial, Number last) noexcept {
+[[nodiscard]] Projected<Number> project(const CurveView<Real>& curve, Projection projection,
+                                        const FrictionLimits<Number>& limits, const UnitTrial<Number>& trial,
+                                        Number last) noexcept {
   if (!limits.has_torsion) {
     // Only the force is limited; the proxy turns with the finger.
     const Number zero = Number(Real(0));
@@ -114,7 +119,8 @@ template <class Real, class Number>
     case Projection::closest_point:
       return project_on_to_closest_point(curve, trial, last);
     case Projection::c_curve:
-      if (limits.radius_law != nullptr) return project_along_c_curve(curve, trial, last, *limits.radius_law, limits.load);
+      if (limits.radius_law != nullptr)
+        return project_along_c_curve(curve, trial, last, *limits.radius_law, limits.load);
       break;  // a radius that does not depend on the load: the same as radial
     case Projection::radial:
       break;
@@ -122,8 +128,9 @@ template <class Real, class Number>
   return project_radially(curve, trial, last);
 }
 
-/// Hysteresis: whether the sliding limit acts in the next step. After a slip it does, until a trial without slip is within `stick_fraction` of
-/// it; then the contact is at rest. `fraction` gives the trial divided by the sliding limit; it is called only if it decides.
+/// Hysteresis: whether the sliding limit acts in the next step. After a slip it does, until a trial without slip is
+/// within `stick_fraction` of it; then the contact is at rest. `fraction` gives the trial divided by the sliding limit;
+/// it is called only if it decides.
 template <class Mask, class Number, class Fraction>
 [[nodiscard]] Mask keeps_sliding(Mask was_sliding, Mask slips, Number stick_fraction, Fraction&& fraction) noexcept {
   using namespace arithmetic;
@@ -132,11 +139,11 @@ template <class Mask, class Number, class Fraction>
   return slips || (may_rest && !(fraction() < stick_fraction));
 }
 
-/// The memory after a step in which the proxy slipped: it slid or turned. A slip below the rounding of its position moves nothing and does
-/// not begin sliding.
+/// The memory after a step in which the proxy slipped: it slid or turned. A slip below the rounding of its position
+/// moves nothing and does not begin sliding.
 template <class Number, class Mask>
-[[nodiscard]] FrictionMemory<Number> settled(const FrictionMemory<Number>& before, FrictionMemory<Number> after, bool is_box, Mask slips,
-                                             Mask slid, Mask turned) noexcept {
+[[nodiscard]] FrictionMemory<Number> settled(const FrictionMemory<Number>& before, FrictionMemory<Number> after,
+                                             bool is_box, Mask slips, Mask slid, Mask turned) noexcept {
   using namespace arithmetic;
   const Number none = Number(0);
   after.force_slides = after.force_slides && (before.force_slides || (is_box ? slid : slips));
@@ -146,19 +153,20 @@ template <class Number, class Mask>
   return after;
 }
 
-/// The fraction of a trial that slip leaves: within [0, 1], 1 without slip. By rounding it may exceed 1; a NaN, which finite input does not
-/// give, keeps nothing.
+/// The fraction of a trial that slip leaves: within [0, 1], 1 without slip. By rounding it may exceed 1; a NaN, which
+/// finite input does not give, keeps nothing.
 template <class Number, class Mask>
 [[nodiscard]] Number kept_fraction(Mask slips, Number fraction) noexcept {
   using namespace arithmetic;
   return select(slips, larger(Number(0), smaller(fraction, Number(1))), Number(1));
 }
 
-/// One of the two scalar tests of the paper's §3.1: of the force (eqs. 8, 10, 11) or of the moment (eqs. 9, 10, 12). Returns the fraction
-/// of the trial that the spring keeps, less than 1 if it slips. `slides` is the state of this test.
+/// One of the two scalar tests of the paper's §3.1: of the force (eqs. 8, 10, 11) or of the moment (eqs. 9, 10, 12).
+/// Returns the fraction of the trial that the spring keeps, less than 1 if it slips. `slides` is the state of this
+/// test.
 template <class Real, class Number, class Mask>
-[[nodiscard]] Number apply_scalar_friction(Number sticking, Number sliding, Number stick_fraction, Number trial, Number rounding,
-                                           Mask& slides) noexcept {
+[[nodiscard]] Number apply_scalar_friction(Number sticking, Number sliding, Number stick_fraction, Number trial,
+                                           Number rounding, Mask& slides) noexcept {
   using namespace arithmetic;
   const Number limit = select(slides, sliding, sticking);
   const auto slips = !(trial <= limit * Number(slip_onset<Real>) + smaller(rounding, limit));
@@ -166,48 +174,54 @@ template <class Real, class Number, class Mask>
   return kept_fraction(slips, sliding / trial);
 }
 
-/// The box (paper, §3.1): separate limits of force and moment, "they do not influence each other in any way". This is the closest point of
-/// the box in every metric of the springs.
+/// The box (paper, §3.1): separate limits of force and moment, "they do not influence each other in any way". This is
+/// the closest point of the box in every metric of the springs.
 template <class Real, class Number>
-[[nodiscard]] FrictionResult<Number> apply_uncoupled_friction(const CurveView<Real>& box, const FrictionLimits<Number>& limits,
-                                                              const FrictionTrial<Number>& trial, FrictionMemory<Number>& memory) noexcept {
+[[nodiscard]] FrictionResult<Number> apply_uncoupled_friction(const CurveView<Real>& box,
+                                                              const FrictionLimits<Number>& limits,
+                                                              const FrictionTrial<Number>& trial,
+                                                              FrictionMemory<Number>& memory) noexcept {
   using namespace arithmetic;
   const Number zero = Number(Real(0));
   const Number one = Number(Real(1));
   const FrictionLimit<Number>& sticking = limits.sticking;
   const FrictionLimit<Number>& sliding = limits.sliding;
   FrictionResult<Number> result;
-  result.force_fraction =
-      apply_scalar_friction<Real>(sticking.force * Number(box.force_max), sliding.force * Number(box.force_max),
-                                  limits.force_stick_fraction, abs(trial.force), trial.force_rounding, memory.force_slides);
+  result.force_fraction = apply_scalar_friction<Real>(
+      sticking.force * Number(box.force_max), sliding.force * Number(box.force_max), limits.force_stick_fraction,
+      abs(trial.force), trial.force_rounding, memory.force_slides);
   result.slips = result.force_fraction < one;
   result.moment_fraction = zero;
   Number turned = abs(trial.moment);
   if (limits.has_torsion) {
-    result.moment_fraction = apply_scalar_friction<Real>(
-        sticking.force * sticking.radius * Number(box.moment_max), sliding.force * sliding.radius * Number(box.moment_max),
-        limits.moment_stick_fraction, abs(trial.moment), trial.moment_rounding, memory.moment_slides);
+    result.moment_fraction = apply_scalar_friction<Real>(sticking.force * sticking.radius * Number(box.moment_max),
+                                                         sliding.force * sliding.radius * Number(box.moment_max),
+                                                         limits.moment_stick_fraction, abs(trial.moment),
+                                                         trial.moment_rounding, memory.moment_slides);
     result.slips = result.slips || result.moment_fraction < one;
     turned = turned * (one - result.moment_fraction);
   }
   const Number slid = abs(trial.force) * (one - result.force_fraction);
-  result.cor = select(result.slips, slid / (turned * limits.stiffness_ratio), Number(std::numeric_limits<Real>::quiet_NaN()));
+  result.cor =
+      select(result.slips, slid / (turned * limits.stiffness_ratio), Number(std::numeric_limits<Real>::quiet_NaN()));
   return result;
 }
 
-/// Applies friction (step b of the paper, eqs. 8–12, 19–23): the fraction of the trial deflection that the limit curve allows. Updates
-/// `memory`.
+/// Applies friction (step b of the paper, eqs. 8–12, 19–23): the fraction of the trial deflection that the limit curve
+/// allows. Updates `memory`.
 ///
-/// Call it in every step of a contact, even without displacement: otherwise nothing limits the moment of a twist alone. You keep `memory`
-/// (new in each contact) and the deflection and angle, shortened by the fractions.
+/// Call it in every step of a contact, even without displacement: otherwise nothing limits the moment of a twist alone.
+/// You keep `memory` (new in each contact) and the deflection and angle, shortened by the fractions.
 ///
-/// Stick and slip: a contact at rest holds while its trial is within the sticking limit. After slip begins, the sliding limit acts, until a
-/// trial is within the stick fraction of the sliding limit; in that step the contact comes to rest. Slip work force·(r − r′) + moment·(ρ − ρ′)
-/// is never negative. No allocation, no exception, no NaN from finite input; a NaN keeps no friction. Cost: at most max_search_steps
-/// evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many contacts.
+/// Stick and slip: a contact at rest holds while its trial is within the sticking limit. After slip begins, the sliding
+/// limit acts, until a trial is within the stick fraction of the sliding limit; in that step the contact comes to rest.
+/// Slip work force·(r − r′) + moment·(ρ − ρ′) is never negative. No allocation, no exception, no NaN from finite input;
+/// a NaN keeps no friction. Cost: at most max_search_steps evaluations of the curve for each search. `Number` is
+/// `double`, or a pack of double or float (`Real`) for as many contacts.
 template <class Real, class Number>
 [[nodiscard]] FrictionResult<Number> apply_friction(const CurveView<Real>& curve, Projection projection,
-                                                    const FrictionLimits<Number>& limits, const FrictionTrial<Number>& trial,
+                                                    const FrictionLimits<Number>& limits,
+                                                    const FrictionTrial<Number>& trial,
                                                     FrictionMemory<Number>& memory) noexcept {
   using namespace arithmetic;
   if (curve.is_box) return apply_uncoupled_friction(curve, limits, trial, memory);
@@ -224,18 +238,21 @@ template <class Real, class Number>
                               select(was_sliding, limits.sliding.radius, limits.sticking.radius)};
   UnitTrial<Number> unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
   // Every limit curve is convex, so a trial within the chord between the intercepts sticks.
-  const auto beyond_chord = !(unit.force * Number(curve.inverse_force_max) + unit.moment * Number(curve.inverse_moment_max) <= one);
+  const auto beyond_chord =
+      !(unit.force * Number(curve.inverse_force_max) + unit.moment * Number(curve.inverse_moment_max) <= one);
   const Number nan = Number(std::numeric_limits<Real>::quiet_NaN());
   const auto fraction_of_unit = [&] { return fraction_of_limit(curve, limits.has_torsion, unit, last); };
   const Number stick_fraction = smaller(limits.force_stick_fraction, limits.moment_stick_fraction);
   if (!any(beyond_chord)) {
-    memory = {keeps_sliding(was_sliding, beyond_chord, stick_fraction, fraction_of_unit), memory.moment_slides, zero, zero};
+    memory = {keeps_sliding(was_sliding, beyond_chord, stick_fraction, fraction_of_unit), memory.moment_slides, zero,
+              zero};
     return {beyond_chord, one, limits.has_torsion ? one : zero, nan};
   }
   keep_direction<Real>(unit, limit, trial, limits.has_torsion);
   Projected<Number> projected = project(curve, projection, limits, unit, last);
   const auto begins = !was_sliding && beyond_chord && projected.outside;
-  if (any(begins && (limits.sliding.force < limits.sticking.force || limits.sliding.radius != limits.sticking.radius))) {
+  if (any(begins &&
+          (limits.sliding.force < limits.sticking.force || limits.sliding.radius != limits.sticking.radius))) {
     // Slip begins: project on to the sliding limit.
     limit = {select(begins, limits.sliding.force, limit.force), select(begins, limits.sliding.radius, limit.radius)};
     unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
@@ -246,7 +263,8 @@ template <class Real, class Number>
   FrictionResult<Number> result;
   result.slips = beyond_chord && projected.outside;
   result.force_fraction = kept_fraction(result.slips && !(unit.force <= zero), projected.force_fraction);
-  result.moment_fraction = limits.has_torsion ? kept_fraction(result.slips && !(unit.moment <= zero), projected.moment_fraction) : zero;
+  result.moment_fraction =
+      limits.has_torsion ? kept_fraction(result.slips && !(unit.moment <= zero), projected.moment_fraction) : zero;
   // a(0) may be 0: keep the COR of pure sliding infinite.
   const Number radius = larger(limit.radius, Number((std::numeric_limits<Real>::min)()));
   Number cor = radius * (projected.slide / projected.spin);
@@ -265,11 +283,13 @@ template <class Real, class Number>
       return select(is_shorter, kept_fraction(is_shorter, fraction * length / whole * per), fraction);
     };
     result.force_fraction = of_trial(result.force_fraction, unit.force, abs(trial.force), limit.force);
-    result.moment_fraction = of_trial(result.moment_fraction, unit.moment, abs(trial.moment), limit.force * limit.radius);
+    result.moment_fraction =
+        of_trial(result.moment_fraction, unit.moment, abs(trial.moment), limit.force * limit.radius);
   }
   result.cor = select(result.slips, cor, nan);
   memory.force_slides = keeps_sliding(was_sliding, result.slips, stick_fraction, fraction_of_unit);
-  memory.search_rate = select(result.slips, select(had_parameter, projected.parameter - memory.search_start, zero), zero);
+  memory.search_rate =
+      select(result.slips, select(had_parameter, projected.parameter - memory.search_start, zero), zero);
   memory.search_start = select(result.slips, projected.parameter, zero);
   return result;
 }

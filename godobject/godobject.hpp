@@ -9,15 +9,15 @@
 #include "soft_finger.hpp"                   // IWYU pragma: export
 #include "surface.hpp"                       // IWYU pragma: export
 
-/// The soft-finger god-object. Start here: this file includes what a control loop needs. Bodies (body/) and scenes (scene/) have
-/// headers of their own.
+/// The soft-finger god-object. Start here: this file includes what a control loop needs. Bodies (body/) and scenes
+/// (scene/) have headers of their own.
 ///
 /// ```cpp
 /// #include "godobject/godobject.hpp"
 /// using namespace limitcurve;
-/// godobject::SoftFinger finger(Table::build(hertz()), {.mu = 0.6, .stiffness = 1000, .twist_stiffness = 0.025, .damping = 1});
-/// const godobject::AnySurface plate{godobject::PlaneSurface()};
-/// for (int step = 0; step < 1000; ++step) {  // every millisecond
+/// godobject::SoftFinger finger(Table::build(hertz()), {.mu = 0.6, .stiffness = 1000, .twist_stiffness = 0.025,
+/// .damping = 1}); const godobject::AnySurface plate{godobject::PlaneSurface()}; for (int step = 0; step < 1000;
+/// ++step) {  // every millisecond
 ///   const godobject::DevicePose device{{1e-5 * step, 0, -1e-3}, Eigen::Quaterniond::Identity()};  // [m]
 ///   const godobject::FingerOutput output = finger.update(plate, device, 1e-3);                     // [s]
 ///   // On the user: output.whole_force() [N], output.moment_vector() [N m].
@@ -25,19 +25,21 @@
 /// }
 /// ```
 ///
-/// Units: metres, newtons, seconds, radians. Constructors throw std::invalid_argument with the parameter, its value, unit and range. The
-/// control loop does not throw, allocate or lock: a bad sample gives ContactState::invalid, and the last output fades. Distinct fingers on
-/// distinct threads need no lock. godobject/README.md explains the step, docs/paper.md our corrections.
+/// Units: metres, newtons, seconds, radians. Constructors throw std::invalid_argument with the parameter, its value,
+/// unit and range. The control loop does not throw, allocate or lock: a bad sample gives ContactState::invalid, and the
+/// last output fades. Distinct fingers on distinct threads need no lock. godobject/README.md explains the step,
+/// docs/paper.md our corrections.
 ///
 /// A finger has
 ///  - a limit curve, FingerCurve: a Table of any law, an Ellipse, or a box (the paper's uncoupled step);
 ///  - FingerParameters (finger.hpp): friction, contact radius a(P), springs, dampers;
-///  - a Projection: closest_point settles at eq. (17)'s wrench if the slide keeps its direction; radial and c_curve are the paper's (§5).
-/// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, or your own: surface.hpp), or a Contact that other code has
-/// found, in the frame of the touched body (BodyPose).
+///  - a Projection: closest_point settles at eq. (17)'s wrench if the slide keeps its direction; radial and c_curve are
+///  the paper's (§5).
+/// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, or your own: surface.hpp), or a Contact that
+/// other code has found, in the frame of the touched body (BodyPose).
 ///
-/// A SoftFinger takes a Patch, too: a contact that is not round. Batch and FloatBatch step thousands of contacts in one call (batch/batch.hpp).
-/// apply_friction is the friction step alone, for simulators with their own springs (friction.hpp). body/grasp.hpp holds a rigid body with
-/// several fingers. scene/replay.hpp runs recorded motions, scene/pivot.hpp the paper's experiment; scene/choose_step.hpp finds the cheapest
-/// model that a scene needs.
+/// A SoftFinger takes a Patch, too: a contact that is not round. Batch and FloatBatch step thousands of contacts in one
+/// call (batch/batch.hpp). apply_friction is the friction step alone, for simulators with their own springs
+/// (friction.hpp). body/grasp.hpp holds a rigid body with several fingers. scene/replay.hpp runs recorded motions,
+/// scene/pivot.hpp the paper's experiment; scene/choose_step.hpp finds the cheapest model that a scene needs.
 namespace limitcurve::godobject {}

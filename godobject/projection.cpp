@@ -7,12 +7,13 @@
 namespace limitcurve::godobject {
 
 template <class Real>
-Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Real>& trial, Real last, const RadiusLaw& radius_law,
-                                      Real load) noexcept {
+Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Real>& trial, Real last,
+                                      const RadiusLaw& radius_law, Real load) noexcept {
   const double gauge_at_load = static_cast<double>(gauge(curve, trial.force, trial.moment, last));
   if (gauge_at_load <= static_cast<double>(trial.slip_from)) return {};
   const auto at = static_cast<double>(load);
-  // ln gauge falls by 1 to 2 for each unit of ln λ, which gives a lower bound of the root. There is one root, because P·a(P) grows with P.
+  // ln gauge falls by 1 to 2 for each unit of ln λ, which gives a lower bound of the root. There is one root, because
+  // P·a(P) grows with P.
   double low = 0.5 * std::log(gauge_at_load);
   double high = std::numeric_limits<double>::infinity();
   double log_load = std::log(gauge_at_load) / (1.0 + radius_law.exponent(at));
@@ -30,10 +31,12 @@ Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTr
     // The slope of ln gauge depends on the fraction of the power that rotation takes.
     const auto slide_power = static_cast<double>(foot.slide * foot.force);
     const auto spin_power = static_cast<double>(foot.spin * foot.moment);
-    const double newton = excess * (slide_power + spin_power) / (slide_power + (1.0 + radius_law.exponent(ratio * at)) * spin_power);
+    const double newton =
+        excess * (slide_power + spin_power) / (slide_power + (1.0 + radius_law.exponent(ratio * at)) * spin_power);
     if (std::fabs(newton) <= 1e-14) break;
     double next = log_load + newton;
-    if (!(next > low && next < high)) next = high < std::numeric_limits<double>::infinity() ? 0.5 * (low + high) : low + 1.0;
+    if (!(next > low && next < high))
+      next = high < std::numeric_limits<double>::infinity() ? 0.5 * (low + high) : low + 1.0;
     log_load = next;
   }
   // c = s·a(λP) stays; a(P) is smaller by the factor `growth`. At the ends of the curve c/a is 0 or ∞ for both.
@@ -47,12 +50,13 @@ Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTr
     result.moment = beyond_rim ? jet.leading : jet.trailing;
   }
   if (result.force > trial.force) {
-    // The force stays and the moment alone slips: the closest point where a change of the force costs all, which joins the c-curve without a
-    // jump.
+    // The force stays and the moment alone slips: the closest point where a change of the force costs all, which joins
+    // the c-curve without a jump.
     UnitTrial<Real> held = trial;
     held.compliance_ratio = sizeof(Real) == sizeof(double) ? Real(1e-100) : Real(1e-18);
     const Projected<Real> closest = project_on_to_closest_point(curve, held, foot.parameter);
-    result = {trial.force, std::fmin(closest.moment_fraction, Real(1)) * trial.moment, Real(0), Real(1), foot.parameter};
+    result = {trial.force, std::fmin(closest.moment_fraction, Real(1)) * trial.moment, Real(0), Real(1),
+              foot.parameter};
   }
   if (result.moment > trial.moment) result = foot;
   return {true,
@@ -63,8 +67,9 @@ Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTr
           foot.parameter};
 }
 
-template Projected<double> project_along_c_curve(const CurveView<double>&, const UnitTrial<double>&, double, const RadiusLaw&,
-                                                 double) noexcept;
-template Projected<float> project_along_c_curve(const CurveView<float>&, const UnitTrial<float>&, float, const RadiusLaw&, float) noexcept;
+template Projected<double> project_along_c_curve(const CurveView<double>&, const UnitTrial<double>&, double,
+                                                 const RadiusLaw&, double) noexcept;
+template Projected<float> project_along_c_curve(const CurveView<float>&, const UnitTrial<float>&, float,
+                                                const RadiusLaw&, float) noexcept;
 
 }  // namespace limitcurve::godobject

@@ -55,8 +55,8 @@ const FingerOutput& release(FingerState& state, const FingerSample& sample, cons
   return state.output;
 }
 
-/// The first sample in contact, or on what the finger landed on anew: the springs are not loaded. Angles are absolute, not relative to α_0 at
-/// touch-down as in the paper; only α_p − α_g matters.
+/// The first sample in contact, or on what the finger landed on anew: the springs are not loaded. Angles are absolute,
+/// not relative to α_0 at touch-down as in the paper; only α_p − α_g matters.
 void touch_down(FingerState& state, const FingerSample& sample) noexcept {
   state.in_contact = true;
   state.sample = sample;
@@ -73,16 +73,20 @@ void keep_static(FrictionLimits<double>& limits, const FrictionMemory<double>& m
   const bool turns = is_box ? memory.moment_slides : slides;
   if (slides && turns) return;
   const FrictionLimit<double>& moment = turns ? limits.sliding : limits.sticking;
-  const double force = slides ? std::max(limits.sliding.force, min_sliding_fraction * limits.sticking.force) : limits.sticking.force;
+  const double force =
+      slides ? std::max(limits.sliding.force, min_sliding_fraction * limits.sticking.force) : limits.sticking.force;
   limits.sliding = {force, force == moment.force ? moment.radius : moment.force / force * moment.radius};
 }
 
 /// Step b of a round contact.
 KeptDeflection friction_of_curve(const FingerCurve& curve, Projection projection, const ContactLimits& contact_limits,
-                                 const TrialDeflection& trial, bool may_begin, FrictionMemory<double>& memory) noexcept {
+                                 const TrialDeflection& trial, bool may_begin,
+                                 FrictionMemory<double>& memory) noexcept {
   const Springs& springs = trial.springs;
-  const FrictionTrial<double> wrench{springs.stiffness * trial.tangential.norm(), springs.twist_stiffness * std::fabs(trial.twist)};
-  FrictionLimits<double> limits = contact_limits.at<double>(trial.limit_load, springs.stiffness / springs.twist_stiffness);
+  const FrictionTrial<double> wrench{springs.stiffness * trial.tangential.norm(),
+                                     springs.twist_stiffness * std::fabs(trial.twist)};
+  FrictionLimits<double> limits =
+      contact_limits.at<double>(trial.limit_load, springs.stiffness / springs.twist_stiffness);
   if (!may_begin) keep_static(limits, memory, curve.is_box());
   const FrictionResult<double> friction = apply_friction(curve.view(), projection, limits, wrench, memory);
   return {trial.tangential * friction.force_fraction,
@@ -106,10 +110,12 @@ struct ProxyUpdate {
   bool slips;
 };
 
-/// The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
+/// The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as
+/// stick.
 ProxyUpdate move_proxy(const TrialDeflection& trial, const KeptDeflection& kept, const FingerSample& sample,
                        const FingerOutput& last) noexcept {
-  const MovedProxy followed = kept.force_reduced ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.height};
+  const MovedProxy followed =
+      kept.force_reduced ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.height};
   const double angle = kept.moment_reduced ? sample.angle + trial.relaxed_twist + kept.twist : last.angle;
   const bool slid = trial.moves_along_normal || (kept.force_reduced && followed.proxy != trial.proxy);
   const bool turned = angle != last.angle;
@@ -127,7 +133,10 @@ ProxyUpdate move_proxy(const TrialDeflection& trial, const KeptDeflection& kept,
 }  // namespace
 
 SoftFinger::SoftFinger(FingerCurve curve, const FingerParameters& parameters, Projection projection)
-    : curve_(std::move(curve)), parameters_(parameters), projection_(projection), limits_(parameters, curve_->moment_max()) {
+    : curve_(std::move(curve)),
+      parameters_(parameters),
+      projection_(projection),
+      limits_(parameters, curve_->moment_max()) {
   check_projection(*curve_, projection);
 }
 
@@ -135,7 +144,8 @@ const Patch* SoftFinger::patch() const& noexcept {
   return patch_ ? &patch_->patch() : nullptr;
 }
 
-const FingerOutput& SoftFinger::update(const AnySurface& surface, const DevicePose& device, double time_step) & noexcept {
+const FingerOutput& SoftFinger::update(const AnySurface& surface, const DevicePose& device,
+                                       double time_step) & noexcept {
   return advance(state_, sense(surface, device, time_step, state_));
 }
 
@@ -143,18 +153,21 @@ const FingerOutput& SoftFinger::update(const Contact& contact, double twist, dou
   return advance(state_, {contact, twist, time_step, state_.spin});
 }
 
-const FingerOutput& SoftFinger::update(const Contact& contact, const Orientation& orientation, double time_step) & noexcept {
+const FingerOutput& SoftFinger::update(const Contact& contact, const Orientation& orientation,
+                                       double time_step) & noexcept {
   return advance(state_, sense(contact, orientation, time_step, state_));
 }
 
-const FingerOutput& SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load, double twist,
-                                                  double time_step, bool landed) & noexcept {
+const FingerOutput& SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load,
+                                                  double twist, double time_step, bool landed) & noexcept {
   // A load that is not finite makes a depth that is NaN.
-  return advance(state_, {{point, normal, 0.0 * load, {}, landed}, twist, time_step, state_.spin, Fault::none, true, load});
+  return advance(state_,
+                 {{point, normal, 0.0 * load, {}, landed}, twist, time_step, state_.spin, Fault::none, true, load});
 }
 
 const FingerOutput& SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load,
-                                                  const Orientation& orientation, double time_step, bool landed) & noexcept {
+                                                  const Orientation& orientation, double time_step,
+                                                  bool landed) & noexcept {
   return advance(state_, sense({point, normal, 0.0 * load, {}, landed}, orientation, time_step, state_, load));
 }
 
@@ -168,7 +181,8 @@ FingerOutput SoftFinger::preview(const Contact& contact, double twist, double ti
   return advance(state, {contact, twist, time_step, state.spin});
 }
 
-FingerOutput SoftFinger::preview(const Contact& contact, const Orientation& orientation, double time_step) const noexcept {
+FingerOutput SoftFinger::preview(const Contact& contact, const Orientation& orientation,
+                                 double time_step) const noexcept {
   FingerState state = state_;
   return advance(state, sense(contact, orientation, time_step, state));
 }
@@ -196,7 +210,8 @@ const FingerOutput& SoftFinger::mark_invalid(Fault fault) & noexcept {
 
 const FingerOutput& SoftFinger::advance(FingerState& state, const StepInput& input) const noexcept {
   // A velocity needs two good samples of one kind in succession.
-  const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && input.time_step >= shortest_time_step &&
+  const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid &&
+                            input.time_step >= shortest_time_step &&
                             std::isnan(state.output.depth) == input.load.has_value();
   const Fault fault = accept(state.faults, input, state.sample, parameters_.max_displacement);
   if (fault != Fault::none) return fade(state, parameters_.fault_decay, fault);
@@ -212,15 +227,17 @@ const FingerOutput& SoftFinger::advance(FingerState& state, const StepInput& inp
   FingerOutput& output = state.output;  // until c. that of the last step
 
   // a. The trial deflection of springs and dampers if the proxy stays (eq. 7).
-  const TrialDeflection trial(parameters_, output.proxy, output.angle, state.sample, sample, has_velocity ? input.time_step : 0.0,
-                              input.load);
+  const TrialDeflection trial(parameters_, output.proxy, output.angle, state.sample, sample,
+                              has_velocity ? input.time_step : 0.0, input.load);
 
-  // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs. 21–23).
+  // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs.
+  // 21–23).
   FrictionMemory<double> friction = state.friction;
   PatchMemory next_patch;
-  const KeptDeflection kept =
-      patch_ ? patch_->friction(limits_, trial, sample.normal, input.spin, output.angle, state.patch, input.may_begin, friction, next_patch)
-             : friction_of_curve(*curve_, projection_, limits_, trial, input.may_begin, friction);
+  const KeptDeflection kept = patch_
+                                  ? patch_->friction(limits_, trial, sample.normal, input.spin, output.angle,
+                                                     state.patch, input.may_begin, friction, next_patch)
+                                  : friction_of_curve(*curve_, projection_, limits_, trial, input.may_begin, friction);
 
   const ProxyUpdate moved = move_proxy(trial, kept, sample, output);
 
@@ -234,12 +251,14 @@ const FingerOutput& SoftFinger::advance(FingerState& state, const StepInput& inp
   output.force = kept.tangential * trial.springs.stiffness;
   output.moment = kept.twist * trial.springs.twist_stiffness;
   output.cor = !moved.slips ? nan : kept.slips ? kept.cor : inf;  // moved along the normal it slides without a turn
-  const double work = moved.along_slope * output.force.dot(trial.tangential - kept.tangential) + output.moment * (trial.twist - kept.twist);
+  const double work = moved.along_slope * output.force.dot(trial.tangential - kept.tangential) +
+                      output.moment * (trial.twist - kept.twist);
   output.slip_work = !moved.slips ? 0.0 : kept.converged ? std::max(work, 0.0) : work;
   output.converged = kept.converged;
   output.fault = Fault::none;
   state.friction = settled(state.friction, friction, curve_ && curve_->is_box(), moved.slips, moved.slid, moved.turned);
-  if (patch_) state.patch = {next_patch.zero_axis, next_patch.axis, moved.slips ? next_patch.slip : Vector3d(Vector3d::Zero())};
+  if (patch_)
+    state.patch = {next_patch.zero_axis, next_patch.axis, moved.slips ? next_patch.slip : Vector3d(Vector3d::Zero())};
   store(state, sample, input);
   state.limit_load = trial.limit_load;
   state.trial_force = kept.trial_force;
@@ -252,12 +271,15 @@ Vector3d SoftFinger::centre_of_rotation() const noexcept {
   const PatchMemory& patch = state_.patch;
   // The proxy moves by v = ω n × (x_p − C), against friction: C follows from the proxy, not from the finger.
   const bool is_round = patch.slip == Vector3d::Zero();
-  const Vector3d slide = is_round ? output.force : Vector3d(patch.axis * patch.slip.x() + output.normal.cross(patch.axis) * patch.slip.y());
+  const Vector3d slide = is_round
+                             ? output.force
+                             : Vector3d(patch.axis * patch.slip.x() + output.normal.cross(patch.axis) * patch.slip.y());
   const double turn = is_round ? output.moment : patch.slip.z();
   const double size = slide.norm();
   if (std::isinf(output.cor)) return Vector3d::Constant(inf);
   // Without friction nothing tells on which side of the proxy it is.
-  if (!(output.cor > 0.0) || size == 0.0) return output.proxy + Vector3d::Constant(output.cor > 0.0 ? nan : 0.0 * output.cor);
+  if (!(output.cor > 0.0) || size == 0.0)
+    return output.proxy + Vector3d::Constant(output.cor > 0.0 ? nan : 0.0 * output.cor);
   return output.proxy + output.normal.cross(slide) * (std::copysign(output.cor, turn) / size);
 }
 
@@ -274,13 +296,15 @@ double SoftFinger::margin() const noexcept {
   if (!state_.in_contact) return 1.0;
   if (state_.output.state == ContactState::slip) return 0.0;
   const double needed = patch_->gauge(state_);
-  return needed == 0.0 ? 1.0 : std::clamp(1.0 - needed / (limits_.mu(state_.friction.force_slides) * state_.limit_load), 0.0, 1.0);
+  return needed == 0.0
+             ? 1.0
+             : std::clamp(1.0 - needed / (limits_.mu(state_.friction.force_slides) * state_.limit_load), 0.0, 1.0);
 }
 
 double SoftFinger::load_to_hold() const noexcept {
   const FingerOutput& output = state_.output;
-  const double needed =
-      patch_ ? patch_->gauge(state_) / limits_.mu(false) : limits_.load_to_hold(*curve_, output.force.norm(), std::fabs(output.moment));
+  const double needed = patch_ ? patch_->gauge(state_) / limits_.mu(false)
+                               : limits_.load_to_hold(*curve_, output.force.norm(), std::fabs(output.moment));
   // The surface's push is no part of the limit's load, but of `load`.
   return needed > 0.0 ? std::max(needed + (output.load - state_.limit_load), 0.0) : 0.0;
 }

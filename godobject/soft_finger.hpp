@@ -16,84 +16,96 @@ namespace limitcurve::godobject {
 class PatchStep;
 struct StepInput;
 
-/// Friction for a haptic or control loop: a soft finger that sticks, slides and twists on one surface (the paper's god-object, steps a–c,
-/// corrected: docs/paper.md). Call `update` in every cycle and render its output. A limit curve, or a patch's limit surface, bounds force
-/// and moment together; the projection decides how a slipping proxy moves.
+/// Friction for a haptic or control loop: a soft finger that sticks, slides and twists on one surface (the paper's
+/// god-object, steps a–c, corrected: docs/paper.md). Call `update` in every cycle and render its output. A limit curve,
+/// or a patch's limit surface, bounds force and moment together; the projection decides how a slipping proxy moves.
 ///
 ///     SoftFinger finger(Table::build(hertz()), {.mu = 0.6, .damping = 2.0});
 ///     const FingerOutput& output = finger.update(surface, device_pose, 1e-3);  // every millisecond
 ///     device.send(output.whole_force(), output.moment_vector());
 ///
-/// A step takes about 0.1 µs on a plane, and never allocates, throws or locks. Fingers on different threads need no lock.
+/// A step takes about 0.1 µs on a plane, and never allocates, throws or locks. Fingers on different threads need no
+/// lock.
 class SoftFinger {
  public:
   /// Throws std::invalid_argument with parameter, value, unit and range. A box works only with the closest point.
   SoftFinger(FingerCurve curve, const FingerParameters& parameters, Projection projection = Projection::closest_point);
-  /// A finger with a contact that is not round. The patch's limit surface replaces the limit curve, the projection is the closest point in
-  /// F_x, F_y and M, and the radius law is ignored. For a disc, steps match those of its limit curve to 1e-9.
+  /// A finger with a contact that is not round. The patch's limit surface replaces the limit curve, the projection is
+  /// the closest point in F_x, F_y and M, and the radius law is ignored. For a disc, steps match those of its limit
+  /// curve to 1e-9.
   ///
-  /// Orientation: the patch turns with the finger. Its x axis is the tangent part of the device's x axis, q·x̂, turned about the normal by
-  /// the proxy's twist relative to the finger, α_p − α_g, and by `DevicePose::twist`. If the device's x axis is normal to the surface
-  /// (tangent part below 1e-6), the previous axis is projected onto the tangent plane. So it is for `update(contact, twist)`, which has no
-  /// orientation: there a contact starts with the world's x axis, turned by the shortest rotation from z to the normal, and a closed path of
-  /// the normal turns the patch by its solid angle: 0.8 rad in 100 circles at 0.05 rad. The contact point is the centre of pressure: springs
+  /// Orientation: the patch turns with the finger. Its x axis is the tangent part of the device's x axis, q·x̂, turned
+  /// about the normal by the proxy's twist relative to the finger, α_p − α_g, and by `DevicePose::twist`. If the
+  /// device's x axis is normal to the surface (tangent part below 1e-6), the previous axis is projected onto the
+  /// tangent plane. So it is for `update(contact, twist)`, which has no orientation: there a contact starts with the
+  /// world's x axis, turned by the shortest rotation from z to the normal, and a closed path of the normal turns the
+  /// patch by its solid angle: 0.8 rad in 100 circles at 0.05 rad. The contact point is the centre of pressure: springs
   /// act there, and moments refer to it.
   ///
-  /// Smoothing: a point under the centre of rotation can carry any force up to its limit, which leaves the search without a derivative. So
-  /// points get a radius ε: |u| becomes √(|u|² + ε²ω²), which changes the limit by less than ε/m₀ of it. `point_radius` is ε [m], at least
-  /// 1e-3 m₀; 0 selects that minimum. A step within the hull of pure slides and pure spins never evaluates the patch; a slip takes 5 to 20
-  /// evaluations (cost: see Patch). Throws as above, and for a moment coefficient, because the patch sets the moments.
+  /// Smoothing: a point under the centre of rotation can carry any force up to its limit, which leaves the search
+  /// without a derivative. So points get a radius ε: |u| becomes √(|u|² + ε²ω²), which changes the limit by less than
+  /// ε/m₀ of it. `point_radius` is ε [m], at least 1e-3 m₀; 0 selects that minimum. A step within the hull of pure
+  /// slides and pure spins never evaluates the patch; a slip takes 5 to 20 evaluations (cost: see Patch). Throws as
+  /// above, and for a moment coefficient, because the patch sets the moments.
   SoftFinger(const Patch& patch, const FingerParameters& parameters, double point_radius = 0.0);
 
   // Moves are cheap copies; a moved-from finger stays valid.
   SoftFinger(const SoftFinger&) = default;
   SoftFinger& operator=(const SoftFinger&) = default;
 
-  /// One step with the device's pose in the frame of the surface. The twist about the contact normal is the spin of the device's
-  /// orientation (`Spin`) plus `DevicePose::twist`. Returns `output()`, which the next step overwrites: copy what you keep. In an
-  /// expression with two updates of one finger, both results are the later one.
+  /// One step with the device's pose in the frame of the surface. The twist about the contact normal is the spin of the
+  /// device's orientation (`Spin`) plus `DevicePose::twist`. Returns `output()`, which the next step overwrites: copy
+  /// what you keep. In an expression with two updates of one finger, both results are the later one.
   ///
-  /// Dampers act if the time step [s] since the last update is > 0. Friction then bounds springs and dampers together, and so the force on
-  /// the user. The first good sample, and the first after invalid ones, are undamped, because the velocity is unknown.
+  /// Dampers act if the time step [s] since the last update is > 0. Friction then bounds springs and dampers together,
+  /// and so the force on the user. The first good sample, and the first after invalid ones, are undamped, because the
+  /// velocity is unknown.
   ///
-  /// Bad input never reaches the user: the state becomes `invalid`, `FingerOutput::fault` names the reason, and the last good output is
-  /// held and fades over further invalid samples (`fault_decay`); proxy and contact memory stay. Bad is input that is not finite or beyond
-  /// `farthest`, an orientation or normal not of unit length, a displacement beyond `max_displacement`, a time step < 0 or not finite.
+  /// Bad input never reaches the user: the state becomes `invalid`, `FingerOutput::fault` names the reason, and the
+  /// last good output is held and fades over further invalid samples (`fault_decay`); proxy and contact memory stay.
+  /// Bad is input that is not finite or beyond `farthest`, an orientation or normal not of unit length, a displacement
+  /// beyond `max_displacement`, a time step < 0 or not finite.
   const FingerOutput& update(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) & noexcept;
-  /// One step with a contact found by your own collision detection, and the device's twist α_s [rad] about the normal. The twist may wrap
-  /// at any multiple of 2π: a jump of more than π between steps is read as a turn the other way.
+  /// One step with a contact found by your own collision detection, and the device's twist α_s [rad] about the normal.
+  /// The twist may wrap at any multiple of 2π: a jump of more than π between steps is read as a turn the other way.
   const FingerOutput& update(const Contact& contact, double twist, double time_step = 0.0) & noexcept;
   /// The same with the device's orientation instead of a twist: the twist is then its `Spin` about the normals.
   const FingerOutput& update(const Contact& contact, const Orientation& orientation, double time_step = 0.0) & noexcept;
 
-  /// One step inside a physics engine, which knows the load P [N] but no depth: the engine handles the normal direction, this finger the
-  /// friction, bounded at P. All in the surface's frame: `point`, the finger's place on the surface [m], whose motion drives friction; the
-  /// outward normal; the twist α_s [rad] about it, or the device's orientation. If P ≤ 0 the finger is free; a load that is not finite is a
-  /// fault. The output repeats the load; its depth is NaN. `landed` as in `Contact`; the rest as in `update`.
+  /// One step inside a physics engine, which knows the load P [N] but no depth: the engine handles the normal
+  /// direction, this finger the friction, bounded at P. All in the surface's frame: `point`, the finger's place on the
+  /// surface [m], whose motion drives friction; the outward normal; the twist α_s [rad] about it, or the device's
+  /// orientation. If P ≤ 0 the finger is free; a load that is not finite is a fault. The output repeats the load; its
+  /// depth is NaN. `landed` as in `Contact`; the rest as in `update`.
   ///
-  /// The proxy is a point in space, as in `update`, and its spring acts as far as it lies in the tangent plane. So the force of a stick is
-  /// a function of point and normal: no loop of both turns it. This holds while the normal stays within 0.25 rad of one direction, as on a
-  /// ball of radius 4 μP/k_l or more; there friction is that of the plane within 0.04 μP. If the normal tilts farther, as on a smaller
-  /// ball, the proxy is carried along: friction still reaches its limit, but on the way is off that of the plane by up to 0.3 μP, and a
-  /// stick creeps. A circle of the normal at 0.3 rad (0.5 rad) turns its deflection by 0.09 rad (0.6 rad).
+  /// The proxy is a point in space, as in `update`, and its spring acts as far as it lies in the tangent plane. So the
+  /// force of a stick is a function of point and normal: no loop of both turns it. This holds while the normal stays
+  /// within 0.25 rad of one direction, as on a ball of radius 4 μP/k_l or more; there friction is that of the plane
+  /// within 0.04 μP. If the normal tilts farther, as on a smaller ball, the proxy is carried along: friction still
+  /// reaches its limit, but on the way is off that of the plane by up to 0.3 μP, and a stick creeps. A circle of the
+  /// normal at 0.3 rad (0.5 rad) turns its deflection by 0.09 rad (0.6 rad).
   ///
-  /// No path gains more energy than a sampled spring does (scene/passivity.hpp). The spring energy has a part along the normal. A finger
-  /// may change between both ways of `update` in a contact; in that step dampers do not act.
-  const FingerOutput& update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load, double twist,
-                                        double time_step = 0.0, bool landed = false) & noexcept;
+  /// No path gains more energy than a sampled spring does (scene/passivity.hpp). The spring energy has a part along the
+  /// normal. A finger may change between both ways of `update` in a contact; in that step dampers do not act.
   const FingerOutput& update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load,
-                                        const Orientation& orientation, double time_step = 0.0, bool landed = false) & noexcept;
+                                        double twist, double time_step = 0.0, bool landed = false) & noexcept;
+  const FingerOutput& update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load,
+                                        const Orientation& orientation, double time_step = 0.0,
+                                        bool landed = false) & noexcept;
 
   /// What `update` would return, without changing the state.
-  [[nodiscard]] FingerOutput preview(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) const noexcept;
+  [[nodiscard]] FingerOutput preview(const AnySurface& surface, const DevicePose& device,
+                                     double time_step = 0.0) const noexcept;
   [[nodiscard]] FingerOutput preview(const Contact& contact, double twist, double time_step = 0.0) const noexcept;
-  [[nodiscard]] FingerOutput preview(const Contact& contact, const Orientation& orientation, double time_step = 0.0) const noexcept;
+  [[nodiscard]] FingerOutput preview(const Contact& contact, const Orientation& orientation,
+                                     double time_step = 0.0) const noexcept;
 
-  /// Sets other parameters in the loop, for example where the finger touches another material. Returns false, and changes nothing, if one
-  /// is bad (`refusal`). `output`, proxy, angle and memories keep their bits; `margin`, `load_to_hold` and `spring_energy` use the new
-  /// parameters at once, with the last step's wrench and deflection. The next step has the new springs at the same deflection, so that
-  /// load and force scale with k; the energy ½Δk|x|² comes from whoever changes k. If the limit fell below the force, the finger slips in
-  /// that step, at work ≥ 0. Does not allocate, nor free if the caller keeps a copy of the sampled radius law that it replaces.
+  /// Sets other parameters in the loop, for example where the finger touches another material. Returns false, and
+  /// changes nothing, if one is bad (`refusal`). `output`, proxy, angle and memories keep their bits; `margin`,
+  /// `load_to_hold` and `spring_energy` use the new parameters at once, with the last step's wrench and deflection. The
+  /// next step has the new springs at the same deflection, so that load and force scale with k; the energy ½Δk|x|²
+  /// comes from whoever changes k. If the limit fell below the force, the finger slips in that step, at work ≥ 0. Does
+  /// not allocate, nor free if the caller keeps a copy of the sampled radius law that it replaces.
   bool change(const FingerParameters& parameters) noexcept;
   /// The first bad parameter, for which `change` is false and the constructor throws; none: `change` takes them.
   [[nodiscard]] std::optional<BadParameter> refusal(const FingerParameters& parameters) const noexcept;
@@ -123,8 +135,8 @@ class SoftFinger {
 
   /// Margin to slip, as a fraction of the limit: 1 without friction or while free, 0 on the limit and during slip.
   [[nodiscard]] double margin() const noexcept;
-  /// How hard to grip: the smallest `FingerOutput::load` [N] that carries the current friction without slip. It is at most the current load
-  /// if and only if the contact is within its static limit.
+  /// How hard to grip: the smallest `FingerOutput::load` [N] that carries the current friction without slip. It is at
+  /// most the current load if and only if the contact is within its static limit.
   [[nodiscard]] double load_to_hold() const noexcept;
   /// The slip's centre of rotation in the surface's frame [m]; infinite for pure sliding, NaN without slip.
   [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept;
@@ -134,8 +146,10 @@ class SoftFinger {
  private:
   friend class Grasp;
 
-  /// The state after `update` if a contact at rest that slips stayed at the sticking limit: makes the force continuous in the pose.
-  [[nodiscard]] FingerState try_step(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept;
+  /// The state after `update` if a contact at rest that slips stayed at the sticking limit: makes the force continuous
+  /// in the pose.
+  [[nodiscard]] FingerState try_step(const AnySurface& surface, const DevicePose& device,
+                                     double time_step) const noexcept;
   const FingerOutput& advance(FingerState& state, const StepInput& input) const noexcept;
 
   // The contact: exactly one of these is set.

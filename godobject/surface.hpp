@@ -10,9 +10,9 @@
 
 namespace limitcurve::godobject {
 
-/// The surface of a solid, in its body's frame. `contact` returns the surface point nearest the finger, the outward normal, the depth (≤ 0
-/// outside), and the memory for the next query. `finger` is finite. The function has no state: the finger keeps the memory, of samples that
-/// it accepts. Bounded time, no allocation, no exception.
+/// The surface of a solid, in its body's frame. `contact` returns the surface point nearest the finger, the outward
+/// normal, the depth (≤ 0 outside), and the memory for the next query. `finger` is finite. The function has no state:
+/// the finger keeps the memory, of samples that it accepts. Bounded time, no allocation, no exception.
 // clang-format off
 template <class Shape>
 concept Surface = requires(const Shape& shape, const Eigen::Vector3d& finger, const ContactMemory& memory) {
@@ -20,9 +20,9 @@ concept Surface = requires(const Shape& shape, const Eigen::Vector3d& finger, co
 };
 // clang-format on
 
-/// Any surface, chosen at run time, for example by a file or a command line. Costs one indirect call for each contact. Immutable; copies
-/// share the surface. Any surface converts to it, for example in `finger.update(SphereSurface(0.05), pose)`. The conversion allocates: in a loop
-/// make it once.
+/// Any surface, chosen at run time, for example by a file or a command line. Costs one indirect call for each contact.
+/// Immutable; copies share the surface. Any surface converts to it, for example in `finger.update(SphereSurface(0.05),
+/// pose)`. The conversion allocates: in a loop make it once.
 class AnySurface {
  public:
   // clang-format off
@@ -41,7 +41,8 @@ class AnySurface {
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
     virtual ~Interface() = default;
-    [[nodiscard]] virtual Contact contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept = 0;
+    [[nodiscard]] virtual Contact contact(const Eigen::Vector3d& finger,
+                                          const ContactMemory& memory) const noexcept = 0;
   };
 
   template <class Shape>

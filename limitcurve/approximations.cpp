@@ -15,7 +15,8 @@ void check_intercepts(double force_max, double moment_max) {
   constexpr double least = 1e-100;
   constexpr double largest = 1e100;
   if (!(force_max >= least && force_max <= largest)) throw out_of_range("force_max", force_max, "1", "1e-100 to 1e100");
-  if (!(moment_max >= least && moment_max <= largest)) throw out_of_range("moment_max", moment_max, "1", "1e-100 to 1e100");
+  if (!(moment_max >= least && moment_max <= largest))
+    throw out_of_range("moment_max", moment_max, "1", "1e-100 to 1e100");
 }
 
 Ellipse::Ellipse(double force_max, double moment_max) : force_max_(force_max), moment_max_(moment_max) {
@@ -55,13 +56,15 @@ void check_vertices(std::span<const UnitWrench> vertices) {
   for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
     const SlipTwist here = face_normal(i);
     if (!(here.slide >= 0.0 && here.spin >= 0.0 && here.slide + here.spin > 0.0)) {
-      throw std::invalid_argument("vertex " + std::to_string(i + 1) + ": expected force not above and moment not below those of vertex " +
+      throw std::invalid_argument("vertex " + std::to_string(i + 1) +
+                                  ": expected force not above and moment not below those of vertex " +
                                   std::to_string(i));
     }
     if (i == 0) continue;
     const SlipTwist before = face_normal(i - 1);
     if (!(before.slide * here.spin > before.spin * here.slide)) {
-      throw std::invalid_argument("vertex " + std::to_string(i) + " is not a convex corner: expected a left turn at every vertex");
+      throw std::invalid_argument("vertex " + std::to_string(i) +
+                                  " is not a convex corner: expected a left turn at every vertex");
     }
   }
 }

@@ -9,15 +9,17 @@
 #include <limits>
 #include <span>
 
-/// What others use instead of the limit curve: ellipse, box, diamond and a Padé model. `curve_error` (validate.hpp) measures their errors.
+/// What others use instead of the limit curve: ellipse, box, diamond and a Padé model. `curve_error` (validate.hpp)
+/// measures their errors.
 namespace limitcurve {
 
-/// Throws std::invalid_argument, with the name and value, unless both intercepts of a limit curve [unit wrenches] are within 1e-100 …
-/// 1e100.
+/// Throws std::invalid_argument, with the name and value, unless both intercepts of a limit curve [unit wrenches] are
+/// within 1e-100 … 1e100.
 void check_intercepts(double force_max, double moment_max);
 
-/// The usual approximation of the limit curve (paper, eq. 19): the ellipse (f/A)² + (m/B)² = 1. Models LimitCurve. Through the intercepts
-/// (A = 1, B = m₀) it is 3 to 8 % too strong for the laws of law_examples(). A call costs one square root, no trigonometry.
+/// The usual approximation of the limit curve (paper, eq. 19): the ellipse (f/A)² + (m/B)² = 1. Models LimitCurve.
+/// Through the intercepts (A = 1, B = m₀) it is 3 to 8 % too strong for the laws of law_examples(). A call costs one
+/// square root, no trigonometry.
 class Ellipse {
  public:
   /// Semi-axes in unit wrenches, 1e-100 … 1e100; throws std::invalid_argument otherwise.
@@ -46,7 +48,9 @@ class Ellipse {
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
     const double sum = std::fabs(wrench.force) + std::fabs(wrench.moment);
-    return sum <= (std::numeric_limits<double>::max)() ? std::hypot(wrench.force / force_max_, wrench.moment / moment_max_) : sum;
+    return sum <= (std::numeric_limits<double>::max)()
+               ? std::hypot(wrench.force / force_max_, wrench.moment / moment_max_)
+               : sum;
   }
 
  private:
@@ -59,19 +63,20 @@ static_assert(LimitCurve<Ellipse>);
 /// Throws std::invalid_argument, with the vertex, unless the vertices make a `Polygon`.
 void check_vertices(std::span<const UnitWrench> vertices);
 
-/// A convex polygon as limit curve: vertices from (A, 0) to (0, B), joined by straight faces. `box` and `diamond` make the two that physics
-/// engines use: uncoupled limits, and the friction pyramid.
+/// A convex polygon as limit curve: vertices from (A, 0) to (0, B), joined by straight faces. `box` and `diamond` make
+/// the two that physics engines use: uncoupled limits, and the friction pyramid.
 ///
-/// Models LimitCurve. At a corner one wrench has many normals, on a face one normal has many wrenches. `wrench` returns the vertex that
-/// supports the twist (for the normal of a face either of its vertices); for pure sliding (A, 0), for pure spin (0, B). `vertices` gives
-/// the exact faces. Rounding: `along` and `gauge` ≤ 4 ε, `wrench` none. Cost: nanoseconds, linear in the number of vertices.
+/// Models LimitCurve. At a corner one wrench has many normals, on a face one normal has many wrenches. `wrench` returns
+/// the vertex that supports the twist (for the normal of a face either of its vertices); for pure sliding (A, 0), for
+/// pure spin (0, B). `vertices` gives the exact faces. Rounding: `along` and `gauge` ≤ 4 ε, `wrench` none. Cost:
+/// nanoseconds, linear in the number of vertices.
 template <std::size_t count>
 class Polygon {
   static_assert(count >= 2);
 
  public:
-  /// Throws std::invalid_argument unless the vertices are finite, begin on the force axis, end on the moment axis, turn left at every
-  /// corner, and force never rises and moment never falls from one to the next.
+  /// Throws std::invalid_argument unless the vertices are finite, begin on the force axis, end on the moment axis, turn
+  /// left at every corner, and force never rises and moment never falls from one to the next.
   explicit Polygon(const std::array<UnitWrench, count>& vertices) : vertices_(vertices) { check_vertices(vertices_); }
 
   /// From (A, 0) to (0, B), counter-clockwise.
@@ -88,8 +93,8 @@ class Polygon {
     if (twist.slide == 0.0) return vertices_.back();
     std::size_t i = 0;
     if (twist.spin == 0.0) return vertices_[i];
-    // Go on while the next vertex is farther along the normal. Compare by c = slide/spin, because products underflow: the box's corner
-    // supports every twist with a spin, however small.
+    // Go on while the next vertex is farther along the normal. Compare by c = slide/spin, because products underflow:
+    // the box's corner supports every twist with a spin, however small.
     const double cor = twist.cor();
     while (i + 1 < count) {
       const auto [rise, retreat] = face_normal(i);
@@ -142,7 +147,8 @@ class Polygon {
 using Box = Polygon<3>;
 using Diamond = Polygon<2>;
 
-/// Uncoupled limits f ≤ A, m ≤ B: about 50 % too strong in the corner. Throws std::invalid_argument unless A, B are in 1e-100 … 1e100.
+/// Uncoupled limits f ≤ A, m ≤ B: about 50 % too strong in the corner. Throws std::invalid_argument unless A, B are in
+/// 1e-100 … 1e100.
 inline Box box(double force_max, double moment_max) {
   return Box({UnitWrench{force_max, 0.0}, UnitWrench{force_max, moment_max}, UnitWrench{0.0, moment_max}});
 }
@@ -152,10 +158,11 @@ inline Diamond diamond(double force_max, double moment_max) {
   return Diamond({UnitWrench{force_max, 0.0}, UnitWrench{0.0, moment_max}});
 }
 
-/// The first-order Padé model of multibody mechanics (Zhuravlev, J. Appl. Math. Mech. 62:705, 1998) gives the wrench of a slip twist:
-/// f = s/(s + σ_f), m = m₀σ_m/(s + σ_m). `pade_model` (validate.hpp) makes it from a curve: exact at both ends, and in the slope of
-/// the force at a pure spin and of the moment at a pure slide. In between it is up to 42 % too weak for Hertz (34 % of μP in f, 39 % of m₀
-/// in m). Not a LimitCurve: its twist is not the normal, so it does not obey maximum dissipation.
+/// The first-order Padé model of multibody mechanics (Zhuravlev, J. Appl. Math. Mech. 62:705, 1998) gives the wrench of
+/// a slip twist: f = s/(s + σ_f), m = m₀σ_m/(s + σ_m). `pade_model` (validate.hpp) makes it from a curve: exact at both
+/// ends, and in the slope of the force at a pure spin and of the moment at a pure slide. In between it is up to 42 %
+/// too weak for Hertz (34 % of μP in f, 39 % of m₀ in m). Not a LimitCurve: its twist is not the normal, so it does not
+/// obey maximum dissipation.
 class PadeModel {
  public:
   /// σ_f, σ_m: the COR distances c/a at which force and moment are half their largest. Positive; not checked.

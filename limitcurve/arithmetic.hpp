@@ -12,17 +12,18 @@
 #include <cstdint>
 #include <type_traits>
 
-// The linker keeps one copy of a template for all files. A copy from a user's file could replace the library's, with other roundings
-// (-march=native) or without NaN and infinity (-ffast-math). So the library's copies of templates built on this file are in a namespace of
-// their own, and so are those of a file with -ffast-math.
+// The linker keeps one copy of a template for all files. A copy from a user's file could replace the library's, with
+// other roundings
+// (-march=native) or without NaN and infinity (-ffast-math). So the library's copies of templates built on this file
+// are in a namespace of their own, and so are those of a file with -ffast-math.
 #if defined(LIMITCURVE_LIBRARY)
 #define LIMITCURVE_COPIES library
 #elif defined(__FAST_MATH__)
 #define LIMITCURVE_COPIES fast_math
 #endif
 
-/// Arithmetic of a single number, under the names that packs of numbers use. Table look-up and friction are templates written with these
-/// names; they serve a single finger (`double`) and a batch (packs, kernel/).
+/// Arithmetic of a single number, under the names that packs of numbers use. Table look-up and friction are templates
+/// written with these names; they serve a single finger (`double`) and a batch (packs, kernel/).
 namespace limitcurve::arithmetic {
 
 /// `yes` if the condition holds, else `no`.
@@ -30,8 +31,8 @@ template <class Value>
 [[nodiscard]] constexpr Value select(bool condition, Value yes, Value no) noexcept {
   return condition ? yes : no;
 }
-/// values[0], or values[1] if the condition holds, as an Index. Without a branch, because one on the side of the rim would often be
-/// mispredicted.
+/// values[0], or values[1] if the condition holds, as an Index. Without a branch, because one on the side of the rim
+/// would often be mispredicted.
 template <std::integral Index>
 [[nodiscard]] constexpr Index one_of(const std::array<int, 2>& values, bool condition, Index /*type*/) noexcept {
   return values[static_cast<std::size_t>(condition)];

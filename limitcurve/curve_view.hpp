@@ -9,7 +9,8 @@
 #include <array>
 #include <cstdint>
 
-// Clang would compile these as functions, and take those of a program with other flags for the library's, too. GCC inlines them.
+// Clang would compile these as functions, and take those of a program with other flags for the library's, too. GCC
+// inlines them.
 #ifdef __clang__
 #define LIMITCURVE_INLINED [[nodiscard, gnu::always_inline]]
 #else
@@ -18,8 +19,9 @@
 
 namespace limitcurve {
 
-/// The support function D(x) of a limit curve along one side, with its derivatives. Inside the rim x = s = c/a and D(x) = H(x, 1); outside
-/// x = 1/s and D(x) = H(1, x). x ∈ [0, 1] on both sides. The leading component of the wrench is the force inside, the moment outside.
+/// The support function D(x) of a limit curve along one side, with its derivatives. Inside the rim x = s = c/a and D(x)
+/// = H(x, 1); outside x = 1/s and D(x) = H(1, x). x ∈ [0, 1] on both sides. The leading component of the wrench is the
+/// force inside, the moment outside.
 template <class Real>
 struct Jet {
   Real leading;   ///< D′
@@ -31,32 +33,34 @@ struct Jet {
   /// The components a short step from x, by their Taylor series.
   [[nodiscard]] Jet moved(Real x, Real step) const noexcept {
     const Real half_step = Real(0.5) * step;
-    return {leading + step * (second + half_step * third), trailing - step * (x * second + half_step * (second + x * third)), second,
-            third};
+    return {leading + step * (second + half_step * third),
+            trailing - step * (x * second + half_step * (second + x * third)), second, third};
   }
 };
 
-/// The cells of a table as a control loop reads them: the support function D(x) of both sides (Jet), a polynomial in each cell. Plain
-/// pointers to data that the table owns; copies are cheap.
+/// The cells of a table as a control loop reads them: the support function D(x) of both sides (Jet), a polynomial in
+/// each cell. Plain pointers to data that the table owns; copies are cheap.
 ///
-/// A cell holds force and moment side by side as polynomials, so that one instruction serves both: inside the rim D′ and D − xD′, outside
-/// D − xD′ and D′.
+/// A cell holds force and moment side by side as polynomials, so that one instruction serves both: inside the rim D′
+/// and D − xD′, outside D − xD′ and D′.
 ///
-/// How a cell is found: y = 1 − x is the distance from the rim. The exponent and the leading mantissa bits of y + `offset`, offset = 2^−d,
-/// are the number of a bucket. So every octave towards the rim, where most limit curves are singular, has the same number of buckets. There
-/// are two runs of buckets, inside and outside the rim. A bucket knows the last cell that begins in it or before it. A search is needed only
-/// if several cells begin in one bucket: next to a singularity elsewhere, as of a pressure that is concentrated at the centre. NaN counts as
-/// the rim, so that no index leaves the arrays.
+/// How a cell is found: y = 1 − x is the distance from the rim. The exponent and the leading mantissa bits of y +
+/// `offset`, offset = 2^−d, are the number of a bucket. So every octave towards the rim, where most limit curves are
+/// singular, has the same number of buckets. There are two runs of buckets, inside and outside the rim. A bucket knows
+/// the last cell that begins in it or before it. A search is needed only if several cells begin in one bucket: next to
+/// a singularity elsewhere, as of a pressure that is concentrated at the centre. NaN counts as the rim, so that no
+/// index leaves the arrays.
 template <class Real>
 struct TablePieces {
-  const Real* cells = nullptr;  ///< of each: its origin x₀, twice, then fᵢ, mᵢ of f = Σ fᵢ (x − x₀)ⁱ, i = 0 … degree; aligned as a Pair
+  const Real* cells =
+      nullptr;  ///< of each: its origin x₀, twice, then fᵢ, mᵢ of f = Σ fᵢ (x − x₀)ⁱ, i = 0 … degree; aligned as a Pair
   const std::uint16_t* cell_of_bucket = nullptr;  ///< place of its last cell, in pairs of numbers; inside, then outside
   Real offset = 0;                                ///< 2^−d
   int dropped_bits = 0;                           ///< of the mantissa
   std::array<int, 2> runs = {0, 0};               ///< begin of each run, minus the leading bits of `offset`
   std::array<int, 2> first_cells = {0, 0};        ///< place of the first cell of each side
   int degree = most_degree;                       ///< of D
-  int halvings = 0;                               ///< of a search: fewer than 2^halvings cells begin in any bucket after its first
+  int halvings = 0;  ///< of a search: fewer than 2^halvings cells begin in any bucket after its first
 
   static constexpr int least_degree = 3;
   static constexpr int most_degree = 6;
@@ -65,8 +69,8 @@ struct TablePieces {
   static constexpr int padding = 4;
 
   /// Writes the cell with the origin `x` and the coefficients of D.
-  static constexpr void write_cell(bool beyond_rim, double x, const std::array<double, most_degree + 1>& coefficients, int degree,
-                                   Real* to) noexcept {
+  static constexpr void write_cell(bool beyond_rim, double x, const std::array<double, most_degree + 1>& coefficients,
+                                   int degree, Real* to) noexcept {
     to[0] = to[1] = static_cast<Real>(x);
     for (int i = 0; i <= degree; ++i) {
       to += 2;
@@ -92,7 +96,8 @@ struct TablePieces {
     return sum;
   }
 
-  /// The components and the derivatives of D at x ∈ [0, 1]. `Number` is Real or a pack of it, `beyond_rim` a bool or the pack's mask.
+  /// The components and the derivatives of D at x ∈ [0, 1]. `Number` is Real or a pack of it, `beyond_rim` a bool or
+  /// the pack's mask.
   template <class Number, class Mask>
   LIMITCURVE_INLINED Jet<Number> jet(Mask beyond_rim, Number x) const noexcept {
     using namespace arithmetic;
@@ -147,8 +152,8 @@ struct TablePieces {
   }
 };
 
-/// A limit curve as a control loop reads it: plain data, in unit wrenches. Valid as long as its table. `Real` is the arithmetic type;
-/// `Number` below is Real or a pack of Reals.
+/// A limit curve as a control loop reads it: plain data, in unit wrenches. Valid as long as its table. `Real` is the
+/// arithmetic type; `Number` below is Real or a pack of Reals.
 template <class Real>
 struct CurveView {
   bool is_box = false;  ///< uncoupled limits; if false, a table or, without one, an ellipse
@@ -199,7 +204,8 @@ struct CurvePoint {
   Number parameter;  ///< curve parameter t ∈ [0, 2]: s up to the rim, 2 − 1/s beyond. A warm start for the next search
 };
 
-/// A trial wrench in components of one side of the curve: the leading one is the force inside the rim, the moment outside.
+/// A trial wrench in components of one side of the curve: the leading one is the force inside the rim, the moment
+/// outside.
 template <class Real, class Number>
 struct CurveSide {
   using Mask = decltype(Number{} < Number{});
@@ -213,8 +219,8 @@ struct CurveSide {
     trailing = select(beyond_rim, force, moment);
   }
 
-  /// The x at which a search starts: that of the curve parameter `last`; if `last` is 0 (none known), that of the twist slide : spin =
-  /// guess_twist().
+  /// The x at which a search starts: that of the curve parameter `last`; if `last` is 0 (none known), that of the twist
+  /// slide : spin = guess_twist().
   template <class Function>
   [[nodiscard]] Number begin(Number last, Function&& guess_twist) const noexcept {
     using namespace arithmetic;
@@ -232,8 +238,8 @@ struct CurveSide {
   [[nodiscard]] CurvePoint<Number> point(const Jet<Number>& jet, Number x) const noexcept {
     using arithmetic::select;
     const Number one = Number(Real(1));
-    return {select(beyond_rim, jet.trailing, jet.leading), select(beyond_rim, jet.leading, jet.trailing), select(beyond_rim, one, x),
-            select(beyond_rim, x, one), select(beyond_rim, Number(Real(2)) - x, x)};
+    return {select(beyond_rim, jet.trailing, jet.leading), select(beyond_rim, jet.leading, jet.trailing),
+            select(beyond_rim, one, x), select(beyond_rim, x, one), select(beyond_rim, Number(Real(2)) - x, x)};
   }
 };
 
@@ -241,9 +247,9 @@ struct CurveSide {
 inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
-/// The point where the ray from the origin through a wrench ≠ 0 meets the curve, and in `gauge` the wrench's gauge: 1 on the curve, less
-/// inside. Root of T·leading − L·trailing, L and T the curve's components at x. `last` is the curve parameter of a warm start, or 0. Not
-/// for the box.
+/// The point where the ray from the origin through a wrench ≠ 0 meets the curve, and in `gauge` the wrench's gauge: 1
+/// on the curve, less inside. Root of T·leading − L·trailing, L and T the curve's components at x. `last` is the curve
+/// parameter of a warm start, or 0. Not for the box.
 template <class Real, class Number>
 [[nodiscard]] CurvePoint<Number> point_on_ray(const CurveView<Real>& curve, Number force, Number moment, Number last,
                                               Number& gauge) noexcept {
@@ -253,7 +259,8 @@ template <class Real, class Number>
     const Number b = Number(curve.moment_max);
     return std::array{force * b * b, moment * a * a};
   };
-  const CurveSide<Real, Number> side(force * Number(curve.rim_moment) > moment * Number(curve.rim_force), force, moment);
+  const CurveSide<Real, Number> side(force * Number(curve.rim_moment) > moment * Number(curve.rim_force), force,
+                                     moment);
   Jet<Number> jet;
   const Root<Number> root = find_root<Real>(
       [&](Number at) noexcept -> Residual<Number> {

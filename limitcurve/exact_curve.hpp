@@ -11,9 +11,9 @@
 
 namespace limitcurve {
 
-/// The exact unit limit curve of a pressure law (eq. 17), against which models are judged; in a control loop use a Table. Models
-/// LimitCurve. Error and cost of `wrench` are those of the law's `forces`. Both ends are exact; other wrenches are scaled by 1 − 9e-16, so
-/// that rounding seldom puts them outside the curve.
+/// The exact unit limit curve of a pressure law (eq. 17), against which models are judged; in a control loop use a
+/// Table. Models LimitCurve. Error and cost of `wrench` are those of the law's `forces`. Both ends are exact; other
+/// wrenches are scaled by 1 − 9e-16, so that rounding seldom puts them outside the curve.
 class ExactCurve {
  public:
   /// Throws std::invalid_argument for a law that `checked` rejects.
@@ -32,7 +32,8 @@ class ExactCurve {
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
     twist = twist.magnitudes();
-    // du = −u² ds. Towards pure sliding df/ds vanishes like u³; the lower bound on u keeps u⁻² finite and the limit correct.
+    // du = −u² ds. Towards pure sliding df/ds vanishes like u³; the lower bound on u keeps u⁻² finite and the limit
+    // correct.
     const double u = (std::max)(twist.spin_fraction(), 1e-80);
     const double s = (std::min)(twist.cor(), 1e80);
     const UnitForces<double> forces = law_->forces(s);
@@ -40,9 +41,9 @@ class ExactCurve {
     return {twist.spin > 0.0 ? inwards(forces) : UnitWrench{1.0, 0.0}, {-slope, s * slope}};
   }
 
-  /// Newton's method for ln(f M/(m F)) in ln s inside a bracket: towards both ends ln f and ln m are straight lines in it, and however
-  /// near a slip is to an end, s keeps its digits. The wrench is where the ray meets the tangent at the last point: its error is the
-  /// square of the search's. Cost: usually 3 to 5 calls of `forces`, at most 64.
+  /// Newton's method for ln(f M/(m F)) in ln s inside a bracket: towards both ends ln f and ln m are straight lines in
+  /// it, and however near a slip is to an end, s keeps its digits. The wrench is where the ray meets the tangent at the
+  /// last point: its error is the square of the search's. Cost: usually 3 to 5 calls of `forces`, at most 64.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
     constexpr int search_limit = 64;
     constexpr double enough = 1e-10;
@@ -50,7 +51,8 @@ class ExactCurve {
     direction = direction.magnitudes();
     const double size = (std::max)(direction.force, direction.moment);
     const auto [force, moment] = UnitWrench{direction.force / size, direction.moment / size};
-    if (force == 0.0 || moment == 0.0) return {force == 0.0 ? UnitWrench{0.0, moment_ratio_} : UnitWrench{1.0, 0.0}, {force, moment}};
+    if (force == 0.0 || moment == 0.0)
+      return {force == 0.0 ? UnitWrench{0.0, moment_ratio_} : UnitWrench{1.0, 0.0}, {force, moment}};
     double low = 1e-300;
     double high = 1e300;
     // First guess: the ellipse's normal.
@@ -71,7 +73,8 @@ class ExactCurve {
     }
     const SlipTwist normal = SlipTwist::about_cor(s);
     const UnitWrench wrench = inwards(here);
-    const double scale = (normal.slide * wrench.force + normal.spin * wrench.moment) / (normal.slide * force + normal.spin * moment);
+    const double scale =
+        (normal.slide * wrench.force + normal.spin * wrench.moment) / (normal.slide * force + normal.spin * moment);
     return {{scale * force, scale * moment}, normal};
   }
 
@@ -81,7 +84,8 @@ class ExactCurve {
   static UnitWrench inwards(const UnitForces<double>& forces) noexcept {
     // Both ends, pure spin and pure sliding, are exact.
     if (forces.force == 0.0 || forces.moment == 0.0) return {forces.force, forces.moment};
-    // Most errors of the closed forms are below four units in the last place; the documented bound is accuracy::forces_closed.
+    // Most errors of the closed forms are below four units in the last place; the documented bound is
+    // accuracy::forces_closed.
     constexpr double fraction = 1.0 - 4.0 * std::numeric_limits<double>::epsilon();
     return {fraction * forces.force, fraction * forces.moment};
   }

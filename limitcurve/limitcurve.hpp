@@ -14,36 +14,38 @@
 #include "version.hpp"
 #include "wrench.hpp"
 
-/// The friction limit curve of a soft finger, for any axisymmetric pressure: how much force and moment a sliding, twisting contact carries.
-/// Start here. Patches (patch/), engines (engines/, tangent_ellipse.hpp) and `hold_error` (contact/) have headers of their own.
+/// The friction limit curve of a soft finger, for any axisymmetric pressure: how much force and moment a sliding,
+/// twisting contact carries. Start here. Patches (patch/), engines (engines/, tangent_ellipse.hpp) and `hold_error`
+/// (contact/) have headers of their own.
 ///
 /// ```cpp
 /// #include "limitcurve/limitcurve.hpp"
 /// using namespace limitcurve;
-/// const Law law = parse_law("xydas-kao:k=3");                              // the pressure under the finger
-/// const Table table = Table::build(law);                                   // its limit curve, fast enough for a loop
-/// const UnitWrench unit = table.wrench(SlipTwist::about_cor(0.5));         // slip about a centre of rotation at c = 0.5 a
-/// const double mu = 0.6, load = 2, radius = 0.005;                         // [1], [N], [m]
+/// const Law law = parse_law("xydas-kao:k=3");                        // the pressure under the finger
+/// const Table table = Table::build(law);                             // its limit curve, fast enough for a loop
+/// const UnitWrench unit = table.wrench(SlipTwist::about_cor(0.5));   // slip about a centre of rotation at 0.5 a
+/// const double mu = 0.6, load = 2, radius = 0.005;                   // [1], [N], [m]
 /// const double force = mu * load * unit.force, moment = mu * load * radius * unit.moment;  // [N], [N m]
-/// if (!(force > 0 && moment > 0 && table.gauge(unit) > 0.999)) return 1;   // on the limit curve: 1
+/// if (!(force > 0 && moment > 0 && table.gauge(unit) > 0.999)) return 1;  // on the limit curve: 1
 /// ```
 ///
-/// Units: lengths in metres, loads in newtons. A *unit wrench* (f, m) is a force in units of μP and a moment in units of μPa.
-/// s = c/a ∈ [0, ∞] is the distance of the centre of rotation (COR) from the contact centre, in contact radii.
-/// Errors: factories and builders throw std::invalid_argument, naming the parameter, its value and the permitted range. Evaluating a law,
-/// curve or table never throws.
-/// The mathematics is in docs/theory.md; every error bound, with its test, in docs/accuracy.md.
+/// Units: lengths in metres, loads in newtons. A *unit wrench* (f, m) is a force in units of μP and a moment in units
+/// of μPa. s = c/a ∈ [0, ∞] is the distance of the centre of rotation (COR) from the contact centre, in contact radii.
+/// Errors: factories and builders throw std::invalid_argument, naming the parameter, its value and the permitted range.
+/// Evaluating a law, curve or table never throws. The mathematics is in docs/theory.md; every error bound, with its
+/// test, in docs/accuracy.md.
 namespace limitcurve {
 
 // 1. Generate.
 
-/// The pressure law of that name, such as `hertz`, `power:n=2.3` or `mix:0.7*hertz+0.3*uniform`; laws.hpp lists all names and factories.
+/// The pressure law of that name, such as `hertz`, `power:n=2.3` or `mix:0.7*hertz+0.3*uniform`; laws.hpp lists all
+/// names and factories.
 Law parse_law(std::string_view text);
 
-// law->evaluate(s)              reference: unit wrench at s ∈ [0, ∞] with its error bound, at most 1e-14 relative; microseconds to
-//                               half a millisecond
-// Table::build(law, 1e-8)       for control loops: checked_error() ≤ tolerance·max(1, m₀), tolerance 1e-14 to 1e-1; milliseconds,
-//                               by quadrature up to seconds
+// law->evaluate(s)         reference: unit wrench at s ∈ [0, ∞] with its error bound, at most 1e-14 relative;
+//                          microseconds to half a millisecond
+// Table::build(law, 1e-8)  for control loops: checked_error() ≤ tolerance·max(1, m₀), tolerance 1e-14 to 1e-1;
+//                          milliseconds, by quadrature up to seconds
 // table.wrench(SlipTwist), table.gauge(UnitWrench), table.along(UnitWrench)    nanoseconds, no allocation
 // to_csv(table), to_json(table), to_header(table), read_table_csv(text, name)  table files: table_file.hpp
 
@@ -60,9 +62,10 @@ Law parse_law(std::string_view text);
 /// The largest friction moment at load P [N], reached in a pure twist: Γ(P) = m₀ μ P a(P) [N m]. RadiusLaw is a(P).
 double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double mu, double load);
 
-// p_curve(curve, contact, load, points)          the limit curve at one load [N]: force [N], moment [N m] and COR [m] of each point
-// load_to_hold(curve, contact, F, M)             the smallest grip [N] that holds a force and a moment without slip
-// Patch::rectangle(0.02, 0.01).wrench(twist)     contacts that are not round; load_to_hold(patch, mu, wrench): patch/patch.hpp
-// half_spaces(patch, 32)                         inequalities inside the limit surface, for a planner: patch/half_spaces.hpp
+// p_curve(curve, contact, load, points)       the limit curve at one load [N]: force [N], moment [N m], COR [m]
+// load_to_hold(curve, contact, F, M)          the smallest grip [N] that holds a force and a moment without slip
+// Patch::rectangle(0.02, 0.01).wrench(twist)  contacts that are not round: patch/patch.hpp
+// half_spaces(patch, 32)                      inequalities inside the limit surface, for a planner:
+// patch/half_spaces.hpp
 
 }  // namespace limitcurve

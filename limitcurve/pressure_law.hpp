@@ -29,15 +29,17 @@ std::string_view to_string(Method method);
 /// Whether a function computes df/ds, too. By quadrature the slope adds half to the cost. `unwanted`: df/ds may be NaN.
 enum class Slope { wanted, unwanted };
 
-/// A radius under the finger: ρ = r/a, and its distance from the rim. `rim` keeps its digits near the rim, where 1 − ρ cancels.
+/// A radius under the finger: ρ = r/a, and its distance from the rim. `rim` keeps its digits near the rim, where 1 − ρ
+/// cancels.
 template <class Real>
 struct RadialPosition {
   Real radius;
   Real rim;
 };
 
-/// A pressure law: the shape of an axisymmetric pressure under a soft finger, g(ρ) = πa² p(ρa)/P, normalised to ∫ 2ρ g dρ = 1.
-/// laws.hpp makes laws. `evaluate` gives reference values; for a control loop build a Table. Immutable: threads may share a law.
+/// A pressure law: the shape of an axisymmetric pressure under a soft finger, g(ρ) = πa² p(ρa)/P, normalised to ∫ 2ρ g
+/// dρ = 1. laws.hpp makes laws. `evaluate` gives reference values; for a control loop build a Table. Immutable: threads
+/// may share a law.
 ///
 /// To add a law: docs/extend.md. tests/limitcurve/law_suite.cpp has one test for each requirement.
 class PressureLaw {
@@ -56,43 +58,50 @@ class PressureLaw {
   /// The exponent e ∈ (−1, 0] of the pressure at the rim, which grows like rim^e; 0 for a pressure that stays finite.
   [[nodiscard]] virtual Extended rim_exponent() const noexcept { return 0; }
 
-  /// Increasing radii between which g is analytic, from 0 to the end of the pressure: 1, or more for a law without a rim.
+  /// Increasing radii between which g is analytic, from 0 to the end of the pressure: 1, or more for a law without a
+  /// rim.
   [[nodiscard]] virtual const std::vector<Extended>& breaks() const noexcept;
 
   /// The closed form of the unit wrench at s, if the law has one.
-  [[nodiscard]] virtual std::optional<UnitForces<Extended>> closed(Extended, Slope = Slope::wanted) const noexcept { return std::nullopt; }
+  [[nodiscard]] virtual std::optional<UnitForces<Extended>> closed(Extended, Slope = Slope::wanted) const noexcept {
+    return std::nullopt;
+  }
 
-  /// q(t), if the law is a superposition of rigid flat punches of radii t: the fraction of the load on the punch of radius t (∫ q dt = 1),
-  /// divided by (1−t)^punch_exponent().
-  [[nodiscard]] virtual std::optional<Extended> punch_density(RadialPosition<Extended>) const noexcept { return std::nullopt; }
+  /// q(t), if the law is a superposition of rigid flat punches of radii t: the fraction of the load on the punch of
+  /// radius t (∫ q dt = 1), divided by (1−t)^punch_exponent().
+  [[nodiscard]] virtual std::optional<Extended> punch_density(RadialPosition<Extended>) const noexcept {
+    return std::nullopt;
+  }
   [[nodiscard]] virtual Extended punch_exponent() const noexcept { return 0; }
 
-  /// Unit wrench at s = c/a ∈ [0, ∞], without an error estimate: the closed form if the law has one, else ring; in double where double is
-  /// accurate enough. NaN for NaN.
-  /// Relative error ≤ 1e-14 (df/ds: 1e-13) for elementary and elliptic closed forms and the Gaussian, ≤ 1e-13 (df/ds: 1e-12) for all other
-  /// laws. If the pressure is steeper than rim^(−½), df/ds has a cusp at s = 1: there one rounding of s changes it by 1 % or more.
-  /// Cost: nanoseconds for a closed form, up to 0.1 ms by quadrature; no exception, no allocation, no lock. In a control loop use a table.
+  /// Unit wrench at s = c/a ∈ [0, ∞], without an error estimate: the closed form if the law has one, else ring; in
+  /// double where double is accurate enough. NaN for NaN. Relative error ≤ 1e-14 (df/ds: 1e-13) for elementary and
+  /// elliptic closed forms and the Gaussian, ≤ 1e-13 (df/ds: 1e-12) for all other laws. If the pressure is steeper than
+  /// rim^(−½), df/ds has a cusp at s = 1: there one rounding of s changes it by 1 % or more. Cost: nanoseconds for a
+  /// closed form, up to 0.1 ms by quadrature; no exception, no allocation, no lock. In a control loop use a table.
   [[nodiscard]] virtual UnitForces<double> forces(double s, Slope slope = Slope::wanted) const noexcept;
 
-  /// Unit wrench at |s| ∈ [0, ∞] and a bound on its absolute error, computed in extended precision. `allows(method)` must be true.
-  /// The true error is at most the error returned. That is ≤ 1e-15 relative for a closed form and ≤ 1e-14 for ring and punch (larger if long
-  /// double is double: accuracy.hpp); ≤ 1e-13 for boost; for direct it is absolute. A law from samples adds its
-  /// interpolation error. Cost: 1 µs to 0.5 ms, direct 10 to 100 ms.
+  /// Unit wrench at |s| ∈ [0, ∞] and a bound on its absolute error, computed in extended precision. `allows(method)`
+  /// must be true. The true error is at most the error returned. That is ≤ 1e-15 relative for a closed form and ≤ 1e-14
+  /// for ring and punch (larger if long double is double: accuracy.hpp); ≤ 1e-13 for boost; for direct it is absolute.
+  /// A law from samples adds its interpolation error. Cost: 1 µs to 0.5 ms, direct 10 to 100 ms.
   [[nodiscard]] virtual WrenchEstimate evaluate(double s, Method method = Method::automatic) const noexcept;
 
-  /// The result of `evaluate` before rounding to double, by Method::automatic. Its error leaves out the interpolation error of samples
-  /// (profile_error). Tables of a fine tolerance are built from it, because the error of `forces` is too large for them.
+  /// The result of `evaluate` before rounding to double, by Method::automatic. Its error leaves out the interpolation
+  /// error of samples (profile_error). Tables of a fine tolerance are built from it, because the error of `forces` is
+  /// too large for them.
   [[nodiscard]] virtual Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept;
 
-  /// Bound on the absolute error of f and m, at every s, that comes from a pressure known at samples only. `evaluate` includes it.
-  /// 0 for a law given by a formula.
+  /// Bound on the absolute error of f and m, at every s, that comes from a pressure known at samples only. `evaluate`
+  /// includes it. 0 for a law given by a formula.
   [[nodiscard]] virtual double profile_error() const noexcept { return 0.0; }
 
-  /// Of a measured profile: the radius, in the unit of its samples, that the contact radius stands for. 0 for a law given by a formula.
+  /// Of a measured profile: the radius, in the unit of its samples, that the contact radius stands for. 0 for a law
+  /// given by a formula.
   [[nodiscard]] virtual double rim() const noexcept { return 0.0; }
 
-  /// What a user should know of a measured profile, a line each: "note: …" of what was done with it, "warning: …" if the last radius is
-  /// probably not the rim.
+  /// What a user should know of a measured profile, a line each: "note: …" of what was done with it, "warning: …" if
+  /// the last radius is probably not the rim.
   [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
 
   /// The pressure projected on a line through the contact centre, at the distance t ≥ 0 [contact radii] from it: see

@@ -25,7 +25,8 @@ inline constexpr int max_search_steps = 64;
 template <class Real>
 inline constexpr Real search_tolerance = 4 * std::numeric_limits<Real>::epsilon();
 
-/// A step shorter than this fraction of the distance from the nearer end of [0, 1] is the last: its error is of third order.
+/// A step shorter than this fraction of the distance from the nearer end of [0, 1] is the last: its error is of third
+/// order.
 template <class Real>
 inline constexpr Real last_step = sizeof(Real) == sizeof(float) ? Real(3e-4) : Real(1e-5);
 
@@ -40,9 +41,10 @@ struct Root {
 inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
-/// The root of `residual` in [0, 1], where residual(0) ≥ 0 and residual(1) ≤ 0: Halley's method from the first guess `x`, inside a bracket
-/// that every step narrows. The last call of `residual` is at the x that is returned. After `max_search_steps` evaluations without
-/// convergence the result is the last x, which is in the bracket. If `residual` returns NaN, the result is still a number in [0, 1].
+/// The root of `residual` in [0, 1], where residual(0) ≥ 0 and residual(1) ≤ 0: Halley's method from the first guess
+/// `x`, inside a bracket that every step narrows. The last call of `residual` is at the x that is returned. After
+/// `max_search_steps` evaluations without convergence the result is the last x, which is in the bracket. If `residual`
+/// returns NaN, the result is still a number in [0, 1].
 template <class Real, class Number, class Function>
 [[nodiscard]] Root<Number> find_root(Function&& residual, Number x) noexcept {
   using namespace arithmetic;
@@ -52,7 +54,8 @@ template <class Real, class Number, class Function>
   Number high = Number(Real(1));
   for (int step = 1;; ++step) {
     const Residual<Number> at = residual(x);
-    // Compare with x times the slope, not with a constant: where the slope is small, a small value still means a long step.
+    // Compare with x times the slope, not with a constant: where the slope is small, a small value still means a long
+    // step.
     const auto searching = abs(at.value) > larger(at.rounding, Number(search_tolerance<Real>) * x * abs(at.slope));
     if (!any(searching)) return {x, zero};
     low = select(at.value > zero, x, low);
@@ -64,7 +67,8 @@ template <class Real, class Number, class Function>
     // Lanes of a pack that are done keep their x, and with it their last step.
     const auto goes_on = searching && !is_last;
     if (!any(goes_on) || step == max_search_steps) return {x, select(searching && is_last, halley - x, zero)};
-    // A step out of the bracket or a NaN (0/0) is replaced by bisection. So is every eighth step: Halley steps may alternate forever.
+    // A step out of the bracket or a NaN (0/0) is replaced by bisection. So is every eighth step: Halley steps may
+    // alternate forever.
     const Number middle = half * (low + high);
     x = select(goes_on, step % 8 == 0 ? middle : select(is_inside, halley, middle), x);
   }

@@ -23,7 +23,8 @@ namespace limitcurve {
 
 #ifdef LIMITCURVE_PACKS
 namespace kernel {
-std::size_t gauges(const CurveView<double>& curve, const UnitWrench* wrenches, double* gauges, std::size_t count) noexcept;
+std::size_t gauges(const CurveView<double>& curve, const UnitWrench* wrenches, double* gauges,
+                   std::size_t count) noexcept;
 }
 #endif
 
@@ -49,7 +50,8 @@ table::Source quick_source(const Law& law, const std::string& name) {
 /// A law in extended precision, whose rounding counts only where it is that of a double.
 table::Source fine_source(const Law& law, const std::string& name) {
   const double moment_ratio = law->moment_ratio();
-  const double rounding = accuracy::has_extended ? 0.0 : 64 * std::numeric_limits<double>::epsilon() * std::max(1.0, moment_ratio);
+  const double rounding =
+      accuracy::has_extended ? 0.0 : 64 * std::numeric_limits<double>::epsilon() * std::max(1.0, moment_ratio);
   return {name,
           [=](bool outside, double x) -> table::Sample {
             if (x == 0.0) return {x, 0, outside ? 1 : moment_ratio, 0.0};
@@ -83,17 +85,19 @@ table::Source with_profile(table::Source source, const PressureLaw& law) {
   return source;
 }
 
-/// The result of `attempt()`; if it returns nothing, throws an error. A search for what is possible may take longer than all its attempts.
+/// The result of `attempt()`; if it returns nothing, throws an error. A search for what is possible may take longer
+/// than all its attempts.
 template <class Real, class Attempt>
 BasicTable<Real> built(const std::string& name, double tolerance, const Attempt& attempt) {
   using Result = BasicTable<Real>;
   if (!(tolerance >= Result::finest_tolerance && tolerance <= Result::coarsest_tolerance)) {
-    throw out_of_range("tolerance", tolerance, "1",
-                       format_number(Result::finest_tolerance) + " <= tolerance <= " + format_number(Result::coarsest_tolerance));
+    throw out_of_range(
+        "tolerance", tolerance, "1",
+        format_number(Result::finest_tolerance) + " <= tolerance <= " + format_number(Result::coarsest_tolerance));
   }
   if (auto table = attempt()) return std::move(*table);
-  throw std::runtime_error("table of " + name + ": a tolerance of " + format_number(tolerance) + " is not possible in " +
-                           std::to_string(Result::max_bytes / 1024) +
+  throw std::runtime_error("table of " + name + ": a tolerance of " + format_number(tolerance) +
+                           " is not possible in " + std::to_string(Result::max_bytes / 1024) +
                            " KiB, or is finer than the curve's own error; expected a coarser one");
 }
 
@@ -157,7 +161,8 @@ void BasicTable<Real>::refuse_corners(const std::string& name) {
 }
 
 template <class Real>
-BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance, TableOptions options) {
+BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance,
+                                              TableOptions options) {
   constexpr double relative = 1e-15;
   if (options.name.empty()) options.name = "your curve";
   table::require_limit_curve(curve, options.name);
@@ -169,7 +174,8 @@ BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(Sli
                                return {x, wrench.force, wrench.moment, error};
                              },
                              {}};
-  return built<Real>(options.name, tolerance, [&] { return table::build<Real>(source, tolerance, options.preferred_bytes); });
+  return built<Real>(options.name, tolerance,
+                     [&] { return table::build<Real>(source, tolerance, options.preferred_bytes); });
 }
 
 int TableCells::degree() const noexcept {
@@ -177,7 +183,9 @@ int TableCells::degree() const noexcept {
     return std::any_of(side.begin(), side.end(), [i](const TableCell& cell) { return cell.coefficients[i] != 0.0; });
   };
   int degree = 6;
-  while (degree > 3 && !reaches(inside, static_cast<std::size_t>(degree)) && !reaches(outside, static_cast<std::size_t>(degree))) --degree;
+  while (degree > 3 && !reaches(inside, static_cast<std::size_t>(degree)) &&
+         !reaches(outside, static_cast<std::size_t>(degree)))
+    --degree;
   return degree;
 }
 
@@ -200,7 +208,9 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
     }
     const auto last_before = [&](double end) {
       const auto begins_before = [](const TableCell& cell, double x) { return cell.x < x; };
-      return static_cast<std::size_t>(std::lower_bound(side.begin() + 1, side.end(), end, begins_before) - side.begin()) - 1;
+      return static_cast<std::size_t>(std::lower_bound(side.begin() + 1, side.end(), end, begins_before) -
+                                      side.begin()) -
+             1;
     };
     for (std::size_t i = 0; i < buckets.per_side(); ++i) {
       // x next to 0 counts as 0, by the rounding of 1 − x.
@@ -229,7 +239,8 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
 
 template <class Real>
 std::size_t BasicTable<Real>::bytes() const noexcept {
-  return (data_->numbers.size() - TablePieces<Real>::padding) * sizeof(Numbers) + data_->cell_of_bucket.size() * sizeof(std::uint16_t);
+  return (data_->numbers.size() - TablePieces<Real>::padding) * sizeof(Numbers) +
+         data_->cell_of_bucket.size() * sizeof(std::uint16_t);
 }
 
 template <class Real>
@@ -238,10 +249,13 @@ RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
   const double size = std::max(direction.force, direction.moment);
   const UnitWrench scaled{direction.force / size, direction.moment / size};
   Real gauge{};
-  const CurvePoint<Real> point = point_on_ray(view_, static_cast<Real>(scaled.force), static_cast<Real>(scaled.moment), Real(0), gauge);
-  // Scale by the gauge: its error is the square of the search's. The gauge is that of the scaled wrench, so that it does not overflow.
+  const CurvePoint<Real> point =
+      point_on_ray(view_, static_cast<Real>(scaled.force), static_cast<Real>(scaled.moment), Real(0), gauge);
+  // Scale by the gauge: its error is the square of the search's. The gauge is that of the scaled wrench, so that it
+  // does not overflow.
   const auto length = static_cast<double>(gauge);
-  return {{scaled.force / length, scaled.moment / length}, {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
+  return {{scaled.force / length, scaled.moment / length},
+          {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
 }
 
 template <class Real>

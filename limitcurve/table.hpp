@@ -24,10 +24,12 @@ struct TableFacts {
   std::string law_name;        ///< or the name of the curve
   double tolerance = 0.0;      ///< the tolerance given to `build`
   double checked_error = 0.0;  ///< bound on the absolute error of f and of m: ≤ tolerance·max(force_max, m_max)
-  double profile_error = 0.0;  ///< absolute error of the law itself if its pressure was sampled (PressureLaw::profile_error); add it
+  double profile_error =
+      0.0;  ///< absolute error of the law itself if its pressure was sampled (PressureLaw::profile_error); add it
 };
 
-/// One cell: the support function on one side of the rim, D(t) = Σ cᵢ (t − x)ⁱ, from t = x to the next cell's x or to 1.
+/// One cell: the support function on one side of the rim, D(t) = Σ cᵢ (t − x)ⁱ, from t = x to the next cell's x or
+/// to 1.
 struct TableCell {
   double x;
   std::array<double, 7> coefficients;
@@ -47,19 +49,22 @@ struct TableCells {
 /// How to build a table.
 struct TableOptions {
   std::string name = {};  ///< becomes law_name(); if empty, that of the law
-  /// Preferred size, not a limit. Lower degrees are faster but larger: the table gets the lowest degree, 3 to 5, that fits this many
-  /// bytes() and finds its cell without a search. If none fits, it gets degree 6 and any size, or degree 3 where 6 hits rounding. A look-up
-  /// costs about 0.5 ns more per degree, and 4 ns per search step if a search is unavoidable.
+  /// Preferred size, not a limit. Lower degrees are faster but larger: the table gets the lowest degree, 3 to 5, that
+  /// fits this many bytes() and finds its cell without a search. If none fits, it gets degree 6 and any size, or degree
+  /// 3 where 6 hits rounding. A look-up costs about 0.5 ns more per degree, and 4 ns per search step if a search is
+  /// unavoidable.
   std::size_t preferred_bytes = 4096;
 };
 
-/// A lookup table for real-time loops: a limit curve to a chosen tolerance, at a few nanoseconds per wrench and at most 96 KiB. `build` it
-/// before the loop; `wrench`, `along` and `gauge` do not allocate, throw or lock. Immutable; copies share the cells. Models LimitCurve.
+/// A lookup table for real-time loops: a limit curve to a chosen tolerance, at a few nanoseconds per wrench and at most
+/// 96 KiB. `build` it before the loop; `wrench`, `along` and `gauge` do not allocate, throw or lock. Immutable; copies
+/// share the cells. Models LimitCurve.
 ///
-/// If f and m were interpolated separately, a finger could rest at several wrenches of one steady twist (docs/stability.md). So the table
-/// stores one convex function: D(x) = H(x, 1), x = c/a, inside the rim, D(x) = H(1, x), x = a/c, outside, in cells of degree 3 to 6. Cells
-/// join with continuous slope, and the builder proves each convex. The slip twist is thus exactly the table's normal at the wrench
-/// (D′, D − xD′). Pure sliding and pure spin are exact.
+/// If f and m were interpolated separately, a finger could rest at several wrenches of one steady twist
+/// (docs/stability.md). So the table stores one convex function: D(x) = H(x, 1), x = c/a, inside the rim, D(x) = H(1,
+/// x), x = a/c, outside, in cells of degree 3 to 6. Cells join with continuous slope, and the builder proves each
+/// convex. The slip twist is thus exactly the table's normal at the wrench (D′, D − xD′). Pure sliding and pure spin
+/// are exact.
 template <class Real>
 class BasicTable {
  public:
@@ -71,25 +76,28 @@ class BasicTable {
   /// The largest bytes() of a table.
   static constexpr std::size_t max_bytes = 98304;
 
-  /// Builds the table of `law`: |error| ≤ tolerance·max(1, m₀) in f and in m at every twist. Takes milliseconds for a closed form, up to
-  /// seconds by quadrature. Throws std::invalid_argument for a law that `checked` rejects or a tolerance out of range, and
-  /// std::runtime_error, which names the law, if the tolerance needs more than max_bytes or is finer than the law's own error.
+  /// Builds the table of `law`: |error| ≤ tolerance·max(1, m₀) in f and in m at every twist. Takes milliseconds for a
+  /// closed form, up to seconds by quadrature. Throws std::invalid_argument for a law that `checked` rejects or a
+  /// tolerance out of range, and std::runtime_error, which names the law, if the tolerance needs more than max_bytes or
+  /// is finer than the law's own error.
   static BasicTable build(const Law& law, double tolerance = default_tolerance, TableOptions options = {});
 
-  /// Builds the table of any smooth curve, such as an ellipse or your own, whose `wrench(SlipTwist)` is accurate to 1e-15. Boxes and
-  /// diamonds have corners and faces, and are rejected. |error| ≤ tolerance·max(force_max, m_max). Throws like the other `build`, and
-  /// std::invalid_argument with the violated requirement and its location.
+  /// Builds the table of any smooth curve, such as an ellipse or your own, whose `wrench(SlipTwist)` is accurate to
+  /// 1e-15. Boxes and diamonds have corners and faces, and are rejected. |error| ≤ tolerance·max(force_max, m_max).
+  /// Throws like the other `build`, and std::invalid_argument with the violated requirement and its location.
   template <class Curve>
   requires requires(const Curve& curve, SlipTwist twist) {
     { curve.wrench(twist) } -> std::convertible_to<UnitWrench>;
   }
   static BasicTable build(const Curve& curve, double tolerance, TableOptions options) {
     if constexpr (requires { curve.vertices(); }) refuse_corners(options.name);
-    return build_from([&curve](SlipTwist twist) -> UnitWrench { return curve.wrench(twist); }, tolerance, std::move(options));
+    return build_from([&curve](SlipTwist twist) -> UnitWrench { return curve.wrench(twist); }, tolerance,
+                      std::move(options));
   }
 
-  /// Rebuilds a table from its cells, such as those in a file. Throws std::invalid_argument, naming the cell or fact, if a fact or a cell's
-  /// x is out of range, a number is not finite, cells do not join or are not convex, an end is not exact, or max_bytes is exceeded.
+  /// Rebuilds a table from its cells, such as those in a file. Throws std::invalid_argument, naming the cell or fact,
+  /// if a fact or a cell's x is out of range, a number is not finite, cells do not join or are not convex, an end is
+  /// not exact, or max_bytes is exceeded.
   BasicTable(TableFacts facts, const TableCells& cells);
 
   // Moves are cheap copies; a moved-from table stays valid.
@@ -100,9 +108,12 @@ class BasicTable {
   [[nodiscard]] double tolerance() const noexcept { return data_->facts.tolerance; }
   /// Bound on the absolute error of f and of m, measured against the exact curve in every cell, plus a margin.
   [[nodiscard]] double checked_error() const noexcept { return data_->facts.checked_error; }
-  /// Absolute error of the law itself if its pressure is sampled: add it to checked_error(). 0 for laws given by a formula.
+  /// Absolute error of the law itself if its pressure is sampled: add it to checked_error(). 0 for laws given by a
+  /// formula.
   [[nodiscard]] double profile_error() const noexcept { return data_->facts.profile_error; }
-  [[nodiscard]] std::size_t cell_count() const noexcept { return data_->cells.inside.size() + data_->cells.outside.size(); }
+  [[nodiscard]] std::size_t cell_count() const noexcept {
+    return data_->cells.inside.size() + data_->cells.outside.size();
+  }
   /// The degree of D.
   [[nodiscard]] int degree() const noexcept { return view_.table.degree; }
   /// Memory that look-ups read [bytes]: cells and index.
@@ -110,9 +121,13 @@ class BasicTable {
   /// The cells, exactly: BasicTable(facts, cells()) is an equal table.
   [[nodiscard]] const TableCells& cells() const noexcept { return data_->cells; }
 
-  [[nodiscard]] double force_max() const noexcept { return static_cast<double>(view_.force_max); }  ///< at pure sliding: 1 for a law
-  [[nodiscard]] double moment_ratio() const noexcept { return static_cast<double>(view_.moment_max) / force_max(); }  ///< m₀
-  [[nodiscard]] UnitWrench rim() const noexcept { return wrench({1.0, 1.0}); }                                        ///< at s = 1
+  [[nodiscard]] double force_max() const noexcept {
+    return static_cast<double>(view_.force_max);
+  }  ///< at pure sliding: 1 for a law
+  [[nodiscard]] double moment_ratio() const noexcept {
+    return static_cast<double>(view_.moment_max) / force_max();
+  }                                                                             ///< m₀
+  [[nodiscard]] UnitWrench rim() const noexcept { return wrench({1.0, 1.0}); }  ///< at s = 1
 
   /// Plain data for control loops. Valid while any copy of the table exists.
   [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
@@ -141,7 +156,8 @@ class BasicTable {
     return {wrench_of(outside, jet.leading, jet.trailing), wrench_of(outside, rate, -double{x} * rate)};
   }
 
-  /// Where the ray through `direction` ≠ 0 meets the table's curve, and the normal there. Usually 2 to 4 evaluations, at most 64.
+  /// Where the ray through `direction` ≠ 0 meets the table's curve, and the normal there. Usually 2 to 4 evaluations,
+  /// at most 64.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return gauge_along(*this, wrench); }
@@ -164,12 +180,15 @@ class BasicTable {
   };
 
   [[noreturn]] static void refuse_corners(const std::string& name);
-  static BasicTable build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance, TableOptions options);
+  static BasicTable build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance,
+                               TableOptions options);
 
   static Place place(SlipTwist twist) noexcept {
-    return {twist.slide > twist.spin, static_cast<Real>((std::min)(twist.slide, twist.spin) / (std::max)(twist.slide, twist.spin))};
+    return {twist.slide > twist.spin,
+            static_cast<Real>((std::min)(twist.slide, twist.spin) / (std::max)(twist.slide, twist.spin))};
   }
-  /// Inside the rim the leading component is the force, outside the moment. An index, because a branch would often be mispredicted.
+  /// Inside the rim the leading component is the force, outside the moment. An index, because a branch would often be
+  /// mispredicted.
   static UnitWrench wrench_of(bool outside, double leading, double trailing) noexcept {
     const double components[2] = {leading, trailing};
     return {components[outside], components[!outside]};

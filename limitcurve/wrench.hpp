@@ -14,14 +14,16 @@ struct UnitWrench {
   double moment = 0.0;
 
   /// The wrench without signs.
-  [[nodiscard]] constexpr UnitWrench magnitudes() const noexcept { return {force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment}; }
+  [[nodiscard]] constexpr UnitWrench magnitudes() const noexcept {
+    return {force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment};
+  }
 
   friend bool operator==(const UnitWrench&, const UnitWrench&) = default;
 };
 
-/// The direction of slip, (|v| : a|ω|): sliding speed against the rim speed of the rotation. Only the ratio matters. It is the outward
-/// normal of the limit curve at the wrench that the slip causes (maximum dissipation). Unlike the distance c of the centre of rotation it
-/// is finite at both ends, pure sliding and pure spin.
+/// The direction of slip, (|v| : a|ω|): sliding speed against the rim speed of the rotation. Only the ratio matters. It
+/// is the outward normal of the limit curve at the wrench that the slip causes (maximum dissipation). Unlike the
+/// distance c of the centre of rotation it is finite at both ends, pure sliding and pure spin.
 struct SlipTwist {
   double slide = 0.0;  ///< |v| [m/s, or any unit]
   double spin = 1.0;   ///< a|ω| [same unit]
@@ -36,23 +38,29 @@ struct SlipTwist {
   static constexpr SlipTwist of_spin_fraction(double u) noexcept { return {1.0 - u, u}; }
 
   /// The twist without signs: wrenches are magnitudes, whatever the senses of sliding and turning.
-  [[nodiscard]] constexpr SlipTwist magnitudes() const noexcept { return {slide < 0.0 ? -slide : slide, spin < 0.0 ? -spin : spin}; }
+  [[nodiscard]] constexpr SlipTwist magnitudes() const noexcept {
+    return {slide < 0.0 ? -slide : slide, spin < 0.0 ? -spin : spin};
+  }
   /// No slip. The wrench of such a twist is 0, one of the many that hold.
   [[nodiscard]] constexpr bool is_zero() const noexcept { return slide == 0.0 && spin == 0.0; }
-  /// A slip's direction: magnitudes of which the larger is 1. ∞ is along its axis; `slide` is NaN if a component is, or both are ∞ or 0.
+  /// A slip's direction: magnitudes of which the larger is 1. ∞ is along its axis; `slide` is NaN if a component is, or
+  /// both are ∞ or 0.
   [[nodiscard]] constexpr SlipTwist direction() const noexcept {
     const auto [v, w] = magnitudes();
     return v > w ? SlipTwist{1.0, w / v} : SlipTwist{v / w, 1.0};
   }
 
   /// For slide, spin ≥ 0, not both zero. s = c/a ∈ [0, ∞]: distance of the COR in contact radii.
-  [[nodiscard]] constexpr double cor() const noexcept { return spin > 0.0 ? slide / spin : std::numeric_limits<double>::infinity(); }
+  [[nodiscard]] constexpr double cor() const noexcept {
+    return spin > 0.0 ? slide / spin : std::numeric_limits<double>::infinity();
+  }
 
   /// Spin fraction u = aω/(|v| + aω) ∈ [0, 1].
   [[nodiscard]] constexpr double spin_fraction() const noexcept { return spin / (slide + spin); }
 };
 
-/// A point of a limit curve and its derivative in the spin fraction u. The slopes satisfy dm/du = −s·df/du (docs/theory.md).
+/// A point of a limit curve and its derivative in the spin fraction u. The slopes satisfy dm/du = −s·df/du
+/// (docs/theory.md).
 struct SlopedPoint {
   UnitWrench wrench;
   UnitWrench slope;  ///< (df/du, dm/du): df/du ≤ 0 ≤ dm/du

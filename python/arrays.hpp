@@ -22,7 +22,8 @@
 #include <utility>
 #include <vector>
 
-/// Texts from and to Python as os.fsencode and os.fsdecode have them, because many are or have names of files: bytes that are not UTF-8 pass.
+/// Texts from and to Python as os.fsencode and os.fsdecode have them, because many are or have names of files: bytes
+/// that are not UTF-8 pass.
 template <>
 struct nanobind::detail::type_caster<std::string> {
   NB_TYPE_CASTER(std::string, const_name("str"))
@@ -72,15 +73,16 @@ void warn(const std::vector<std::string>& remarks);
 /// Whether the caller's numbers have single precision; results then have it, too.
 bool is_single(nb::handle values);
 
-/// The caller's values as an array of Real. ValueError with `name` if they are no real numbers, or if numbers alone would lose their
-/// meaning: times, a unit, a mask.
+/// The caller's values as an array of Real. ValueError with `name` if they are no real numbers, or if numbers alone
+/// would lose their meaning: times, a unit, a mask.
 template <class Real>
 Numbers<Real> numbers_of(nb::handle values, const std::string& name);
 
-/// Columns of one length, without the rows that are masked in one of them, which are said. With a `table` the names are those of its columns.
-/// With `refused` a column that is none of numbers is empty, and its complaint there; else it is thrown.
-std::vector<Numbers<double>> columns_of(const std::string& table, const std::vector<std::string>& names, const nb::list& columns,
-                                        std::vector<std::string>* refused = nullptr);
+/// Columns of one length, without the rows that are masked in one of them, which are said. With a `table` the names are
+/// those of its columns. With `refused` a column that is none of numbers is empty, and its complaint there; else it is
+/// thrown.
+std::vector<Numbers<double>> columns_of(const std::string& table, const std::vector<std::string>& names,
+                                        const nb::list& columns, std::vector<std::string>* refused = nullptr);
 
 /// The same for several, broadcast against each other.
 template <class Real>
@@ -131,8 +133,8 @@ bool truth_of(nb::handle value);
 Eigen::Vector3d three_numbers(nb::handle values, const char* name);
 Eigen::Vector4d four_numbers(nb::handle values, const char* name);
 
-/// Arguments of an overload for the usual kinds of value, which nanobind reads in half the time. They refuse any other value without an
-/// error: the overload for all kinds, which comes after, takes it or says what is wrong.
+/// Arguments of an overload for the usual kinds of value, which nanobind reads in half the time. They refuse any other
+/// value without an error: the overload for all kinds, which comes after, takes it or says what is wrong.
 struct PlainNumber {
   double value;  ///< of a float or an int
 };
@@ -148,8 +150,8 @@ std::string text_of(const nb::object& object);
 /// A path from a str or os.PathLike.
 std::string path_of(nb::handle path);
 
-/// Raises what Python's signal handlers raise (KeyboardInterrupt for Ctrl-C), at most twenty times a second: the library calls it in long work,
-/// without the GIL.
+/// Raises what Python's signal handlers raise (KeyboardInterrupt for Ctrl-C), at most twenty times a second: the
+/// library calls it in long work, without the GIL.
 inline void raise_signals() {
   using Clock = std::chrono::steady_clock;
   static thread_local Clock::time_point next{};
@@ -159,8 +161,8 @@ inline void raise_signals() {
   if (PyErr_CheckSignals() != 0) throw nb::python_error();
 }
 
-/// Calls work(i) for each i < count, without the GIL. Ctrl-C ends it between two blocks, which are to take at most 0.1 s: the larger the
-/// less its clock costs.
+/// Calls work(i) for each i < count, without the GIL. Ctrl-C ends it between two blocks, which are to take at most 0.1
+/// s: the larger the less its clock costs.
 template <std::size_t block = 16, class Work>
 void for_each_point(std::size_t count, const Work& work) {
   const nb::gil_scoped_release release;
@@ -170,8 +172,9 @@ void for_each_point(std::size_t count, const Work& work) {
   }
 }
 
-/// `at` of numbers that are broadcast against each other: it takes an array of `count` numbers and gives one of `results`. A NaN gives NaN.
-/// In single precision if all numbers are. Sixteen results, or `block`, take less than 0.1 s.
+/// `at` of numbers that are broadcast against each other: it takes an array of `count` numbers and gives one of
+/// `results`. A NaN gives NaN. In single precision if all numbers are. Sixteen results, or `block`, take less than 0.1
+/// s.
 template <std::size_t results, std::size_t block = 16, std::size_t count, class At>
 nb::object of_numbers(const std::array<nb::handle, count>& values, const std::array<const char*, count>& names,
                       const std::array<Range, count>& ranges, const At& at) {
@@ -199,7 +202,8 @@ nb::object of_numbers(const std::array<nb::handle, count>& values, const std::ar
   if (known == count) {
     for (std::size_t i = 0; i < count; ++i) require(&plain[i], 1, names[i], ranges[i]);
     const std::array<double, results> found = values_at(plain);
-    const bool single = std::all_of(values.begin(), values.end(), [](nb::handle value) { return value.type().is(numpy("float32")); });
+    const bool single =
+        std::all_of(values.begin(), values.end(), [](nb::handle value) { return value.type().is(numpy("float32")); });
     return handed([&](std::size_t i) -> nb::object {
       return single ? numpy("float32")(static_cast<float>(found[i])) : nb::object(nb::float_(found[i]));
     });
@@ -230,7 +234,8 @@ struct nanobind::detail::type_caster<Eigen::Vector3d> {
   }
 };
 template <class Plain>
-requires std::is_same_v<Plain, limitcurve::python::PlainNumber> || std::is_same_v<Plain, limitcurve::python::PlainVector>
+requires std::is_same_v<Plain, limitcurve::python::PlainNumber> ||
+    std::is_same_v<Plain, limitcurve::python::PlainVector>
 struct nanobind::detail::type_caster<Plain> {
   NB_TYPE_CASTER(Plain, const_name("typing.Any"))
   template <class Flags>

@@ -61,7 +61,8 @@ class Contacts {
   [[nodiscard]] nb::list state() {
     const std::lock_guard lock(mutex_);
     nb::list result;
-    for_each_array(arrays_.batch(), [&](const auto array) { result.append(nb::bytes(array.data(), array.size_bytes())); });
+    for_each_array(arrays_.batch(),
+                   [&](const auto array) { result.append(nb::bytes(array.data(), array.size_bytes())); });
     return result;
   }
   void restore(const nb::list& state) {
@@ -79,7 +80,8 @@ class Contacts {
  private:
   template <class Work>
   static void for_each_array(const BasicContactBatch<Real>& all, const Work& work) {
-    for (const auto array : {all.proxy_x, all.proxy_y, all.proxy_angle, all.search_start, all.search_rate, all.fx, all.fy, all.moment})
+    for (const auto array :
+         {all.proxy_x, all.proxy_y, all.proxy_angle, all.search_start, all.search_rate, all.fx, all.fy, all.moment})
       work(array);
     for (const auto array : {all.state, all.force_slides, all.moment_slides}) work(array);
   }
@@ -102,8 +104,8 @@ class Contacts {
       return result;
     }
     if (numbers.dimensions != 1 || numbers.size != count) {
-      throw std::invalid_argument(std::string(name) + ": got the shape " + text_of(numbers.array.attr("shape")) + ", expected (" +
-                                  std::to_string(count) + ",)");
+      throw std::invalid_argument(std::string(name) + ": got the shape " + text_of(numbers.array.attr("shape")) +
+                                  ", expected (" + std::to_string(count) + ",)");
     }
     // An input that overlaps the batch's results would change during the step.
     const BasicContactBatch<Real> own = arrays_.batch();
@@ -139,8 +141,8 @@ nb::object view_of(nb::handle self, const Select& select) {
         const auto array = select(contacts->view());
         using Element = typename decltype(array)::element_type;
         if constexpr (std::is_same_v<Element, ContactState>) {
-          return nb::cast(
-              nb::ndarray<nb::numpy, const std::uint8_t>(reinterpret_cast<const std::uint8_t*>(array.data()), {array.size()}, self));
+          return nb::cast(nb::ndarray<nb::numpy, const std::uint8_t>(
+              reinterpret_cast<const std::uint8_t*>(array.data()), {array.size()}, self));
         } else {
           return nb::cast(nb::ndarray<nb::numpy, const Element>(array.data(), {array.size()}, self));
         }
@@ -154,8 +156,10 @@ void add_batches(nb::module_& module) {
   nb::class_<PyBatch> batch(
       module, "Batch",
       "Many contacts in arrays. They share a limit curve and parameters; each is in its own tangent plane.\n\n"
-      "A batch does step b only: friction by the curve, springs, radius law, static and dynamic friction. Dampers, fading and\n"
-      "unwrapping of angles need a SoftFinger. A sample that is not usable (NaN, farther than 1e6 m), or a proxy that is NaN,\n"
+      "A batch does step b only: friction by the curve, springs, radius law, static and dynamic friction. Dampers, "
+      "fading and\n"
+      "unwrapping of angles need a SoftFinger. A sample that is not usable (NaN, farther than 1e6 m), or a proxy that "
+      "is NaN,\n"
       "makes its contact `invalid`; the last output of that contact stays.\n\n"
       ">>> import limitcurve as lc, numpy as np\n"
       ">>> batch = lc.Batch(lc.Table('hertz', 1e-8), 3, mu=0.6)\n"
@@ -166,14 +170,16 @@ void add_batches(nb::module_& module) {
       ">>> [round(float(f), 6) for f in batch.fx]\n"
       "[0.0, -1.0, -1.2]\n");
   const std::string signature =
-      "def __init__(self, curve: Table | Curve, n: int, *, dtype: numpy.typing.DTypeLike = 'float64', projection: str = 'closest-point', " +
+      "def __init__(self, curve: Table | Curve, n: int, *, dtype: numpy.typing.DTypeLike = 'float64', projection: str "
+      "= 'closest-point', " +
       parameters_signature() + ") -> None";
   define<PyBatch*>(
       batch, signature,
       [](PyBatch* self, const BoundArguments& given) {
         const nb::handle curve = given[0];
         std::size_t n = 0;
-        if (!nb::try_cast(given[1], n)) throw std::invalid_argument("n: got " + shown(given[1]) + ", expected a whole number >= 0");
+        if (!nb::try_cast(given[1], n))
+          throw std::invalid_argument("n: got " + shown(given[1]) + ", expected a whole number >= 0");
         PyBatch made{.contacts = {}, .curve = given[0], .given = read_files(without(given.by_name, "curve"))};
         made.given["n"] = n;
         const Projection projection = projection_of(given[3]);
@@ -182,7 +188,8 @@ void add_batches(nb::module_& module) {
           throw std::invalid_argument("damping, twist_damping: expected 0, a batch has no dampers");
         for (const char* const name : {"max_displacement", "fault_decay"}) {
           if (made.given.contains(name))
-            throw std::invalid_argument(name + std::string(": expected none, a batch refuses no jump and fades no output"));
+            throw std::invalid_argument(name +
+                                        std::string(": expected none, a batch refuses no jump and fades no output"));
         }
         if (is_single_precision(given[2])) {
           made.contacts = std::make_unique<Contacts<float>>(curve, n, parameters, projection);
@@ -202,14 +209,18 @@ void add_batches(nb::module_& module) {
       [](PyBatch& self, const BoundArguments& given) {
         const double dt = number_of(given[4], "dt", 0.0);
         if (!(dt >= 0.0 && std::isfinite(dt))) throw out_of_range("dt", dt, "s", "[0, inf)");
-        std::visit([&](const auto& contacts) { contacts->update(given[0], given[1], given[2], given[3]); }, self.contacts);
+        std::visit([&](const auto& contacts) { contacts->update(given[0], given[1], given[2], given[3]); },
+                   self.contacts);
       },
-      "Steps all contacts, in place: finger positions x, y [m] in the tangent plane, depths [m] (<= 0: free), twists [rad], unwrapped.\n"
+      "Steps all contacts, in place: finger positions x, y [m] in the tangent plane, depths [m] (<= 0: free), twists "
+      "[rad], unwrapped.\n"
       "Arrays of length n, or one number for all. Contiguous arrays of the batch's dtype are not copied; others are.\n"
-      "dt [s] has no effect, for a batch has no dampers. A contact with NaN or a value beyond 1e6 holds its last output (`invalid`).\n"
+      "dt [s] has no effect, for a batch has no dampers. A contact with NaN or a value beyond 1e6 holds its last "
+      "output (`invalid`).\n"
       "Releases the GIL; calls from several threads wait for each other.");
   batch.def("__getstate__", [](const PyBatch& self) {
-    return nb::make_tuple(self.curve, self.given, std::visit([](const auto& contacts) { return contacts->state(); }, self.contacts));
+    return nb::make_tuple(self.curve, self.given,
+                          std::visit([](const auto& contacts) { return contacts->state(); }, self.contacts));
   });
   batch.def("__setstate__", [](PyBatch& self, const nb::tuple& state) {
     const nb::object made = nb::type<PyBatch>()(state[0], **nb::cast<nb::dict>(state[1]));
@@ -217,22 +228,29 @@ void add_batches(nb::module_& module) {
     std::visit([&](const auto& contacts) { contacts->restore(nb::cast<nb::list>(state[2])); }, self.contacts);
   });
   define<PyBatch&>(
-      batch, "def reset(self) -> None", [](PyBatch& self) { std::visit([](const auto& contacts) { contacts->reset(); }, self.contacts); },
+      batch, "def reset(self) -> None",
+      [](PyBatch& self) { std::visit([](const auto& contacts) { contacts->reset(); }, self.contacts); },
       "All contacts free, at the origin.");
-  batch.def("__len__",
-            [](const PyBatch& self) { return std::visit([](const auto& contacts) { return contacts->size(); }, self.contacts); });
+  batch.def("__len__", [](const PyBatch& self) {
+    return std::visit([](const auto& contacts) { return contacts->size(); }, self.contacts);
+  });
   const auto add_view = [&](const char* name, const char* doc, const auto& select) {
     batch.def_prop_ro(
         name, [select](nb::handle self) { return view_of(self, select); },
         nb::sig(("def " + std::string(name) + "(self) -> numpy.typing.NDArray[typing.Any]").c_str()), doc);
   };
-  add_view("fx", "friction on the user along x [N]: a read-only view, as all that follow", [](const auto& all) { return all.fx; });
+  add_view("fx", "friction on the user along x [N]: a read-only view, as all that follow",
+           [](const auto& all) { return all.fx; });
   add_view("fy", "friction on the user along y [N]", [](const auto& all) { return all.fy; });
   add_view("moment", "friction moment on the user [N m]", [](const auto& all) { return all.moment; });
   add_view("state", "ContactState, as uint8", [](const auto& all) { return all.state; });
   batch.def_prop_ro(
-      "invalid", [](nb::handle self) { return nb::object(self.attr("state").attr("__eq__")(static_cast<int>(ContactState::invalid))); },
-      nb::sig("def invalid(self) -> numpy.typing.NDArray[numpy.bool_]"), "Whether the last sample of each contact was not usable.");
+      "invalid",
+      [](nb::handle self) {
+        return nb::object(self.attr("state").attr("__eq__")(static_cast<int>(ContactState::invalid)));
+      },
+      nb::sig("def invalid(self) -> numpy.typing.NDArray[numpy.bool_]"),
+      "Whether the last sample of each contact was not usable.");
   add_view("proxy_x", "where the proxies are [m]", [](const auto& all) { return all.proxy_x; });
   add_view("proxy_y", "where the proxies are [m]", [](const auto& all) { return all.proxy_y; });
   add_view("proxy_angle", "how the proxies are turned [rad]", [](const auto& all) { return all.proxy_angle; });

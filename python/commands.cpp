@@ -51,7 +51,8 @@ nb::object array_of(const std::vector<double>& numbers) {
 }
 
 nb::object array_of(const Column& column) {
-  if (!column.numbers.empty() && !column.texts.empty()) throw std::logic_error("a column of numbers and texts: " + column.name);
+  if (!column.numbers.empty() && !column.texts.empty())
+    throw std::logic_error("a column of numbers and texts: " + column.name);
   const nb::handle asarray = numpy("asarray");
   if (!column.texts.empty()) return asarray(nb::cast(column.texts), nb::arg("dtype") = "str");
   switch (column.kind) {
@@ -80,7 +81,8 @@ nb::dict run(const std::vector<std::string>& arguments, nb::list said) {
     cli::run_command_line(arguments, {.output = output, .columns = &columns, .messages = &messages});
   } catch (const std::exception& error) {
     hand_over_lines();
-    if (dynamic_cast<const std::invalid_argument*>(&error) != nullptr || dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+    if (dynamic_cast<const std::invalid_argument*>(&error) != nullptr ||
+        dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
         dynamic_cast<const nb::python_error*>(&error) != nullptr) {
       throw;
     }
@@ -115,16 +117,22 @@ int run_as_program(const std::vector<std::string>& arguments) {
 }  // namespace
 
 void add_commands(nb::module_& module) {
-  nb::class_<PyColumns>(module, "MemoryColumns", "Columns of numbers that the command line reads as a file of that path.")
-      .def(nb::init<std::string, const NamedArrays&, std::vector<std::string>>(), nb::arg("name"), nb::arg("columns"), nb::arg("refused"))
+  nb::class_<PyColumns>(module, "MemoryColumns",
+                        "Columns of numbers that the command line reads as a file of that path.")
+      .def(nb::init<std::string, const NamedArrays&, std::vector<std::string>>(), nb::arg("name"), nb::arg("columns"),
+           nb::arg("refused"))
       .def_prop_ro("path", &PyColumns::path);
-  nb::class_<cli::MemoryPatch>(module, "MemoryPatch", "A patch that the command line reads as a description of that path.")
-      .def("__init__", [](cli::MemoryPatch* self, const PyPatch& patch) { new (self) cli::MemoryPatch(patch.words(), of_numbers(patch)); })
+  nb::class_<cli::MemoryPatch>(module, "MemoryPatch",
+                               "A patch that the command line reads as a description of that path.")
+      .def("__init__", [](cli::MemoryPatch* self,
+                          const PyPatch& patch) { new (self) cli::MemoryPatch(patch.words(), of_numbers(patch)); })
       .def_prop_ro("path", &cli::MemoryPatch::path);
   module.def("run", &run, nb::arg("arguments"), nb::arg("said"),
              "Runs `limitcurve ARGUMENTS` and returns its columns; appends to `said` what it says on standard error.",
-             nb::sig("def run(arguments: collections.abc.Sequence[str], said: list[str]) -> dict[str, numpy.typing.NDArray[typing.Any]]"));
-  module.def("main", &run_as_program, nb::arg("arguments"), "Runs `limitcurve ARGUMENTS` as a program; returns its exit status.");
+             nb::sig("def run(arguments: collections.abc.Sequence[str], said: list[str]) -> dict[str, "
+                     "numpy.typing.NDArray[typing.Any]]"));
+  module.def("main", &run_as_program, nb::arg("arguments"),
+             "Runs `limitcurve ARGUMENTS` as a program; returns its exit status.");
 }
 
 }  // namespace limitcurve::python

@@ -43,10 +43,12 @@ nb::object as_array(nb::handle values, const std::string& name) {
     throw std::invalid_argument(name + ": got an array of " + text_of(array.attr("dtype")) + ", expected real numbers");
   }
   if (values.type().is(numpy("ndarray"))) return array;
-  if (is_masked(values)) throw std::invalid_argument(name + ": got masked numbers, expected none: fill or compress them");
+  if (is_masked(values))
+    throw std::invalid_argument(name + ": got masked numbers, expected none: fill or compress them");
   for (const char* const unit : {"unit", "units"}) {
     if (nb::isinstance(values, numpy("ndarray")) && nb::hasattr(values, unit))
-      throw std::invalid_argument(name + ": got numbers in " + text_of(values.attr(unit)) + ", expected plain numbers in SI units");
+      throw std::invalid_argument(name + ": got numbers in " + text_of(values.attr(unit)) +
+                                  ", expected plain numbers in SI units");
   }
   return array;
 }
@@ -65,7 +67,8 @@ std::optional<Numbers<Real>> in_place(nb::handle array) {
   }
   std::optional<Numbers<Real>> numbers;
   if (std::string_view(buffer.format) == (sizeof(Real) == sizeof(double) ? "d" : "f"))
-    numbers = {nb::borrow(array), static_cast<const Real*>(buffer.buf), static_cast<std::size_t>(buffer.len) / sizeof(Real), buffer.ndim};
+    numbers = {nb::borrow(array), static_cast<const Real*>(buffer.buf),
+               static_cast<std::size_t>(buffer.len) / sizeof(Real), buffer.ndim};
   PyBuffer_Release(&buffer);
   return numbers;
 }
@@ -126,8 +129,8 @@ Numbers<Real> numbers_of(nb::handle values, const std::string& name) {
 template Numbers<double> numbers_of(nb::handle values, const std::string& name);
 template Numbers<float> numbers_of(nb::handle values, const std::string& name);
 
-std::vector<Numbers<double>> columns_of(const std::string& table, const std::vector<std::string>& names, const nb::list& columns,
-                                        std::vector<std::string>* refused) {
+std::vector<Numbers<double>> columns_of(const std::string& table, const std::vector<std::string>& names,
+                                        const nb::list& columns, std::vector<std::string>* refused) {
   const auto place = [&](std::size_t i) { return table.empty() ? names[i] : table + "['" + names[i] + "']"; };
   const nb::module_ masks = nb::module_::import_("numpy.ma");
   std::vector<Numbers<double>> result;
@@ -138,9 +141,11 @@ std::vector<Numbers<double>> columns_of(const std::string& table, const std::vec
   for (std::size_t i = 0; i < names.size(); ++i) {
     const bool has_mask = is_masked(columns[i]);
     try {
-      result.push_back(numbers_of<double>(has_mask ? masks.attr("getdata")(columns[i]) : nb::object(columns[i]), place(i)));
+      result.push_back(
+          numbers_of<double>(has_mask ? masks.attr("getdata")(columns[i]) : nb::object(columns[i]), place(i)));
       if (!table.empty() && result[i].dimensions != 1) {
-        throw std::invalid_argument(place(i) + ": got the shape " + text_of(result[i].array.attr("shape")) + ", expected one dimension");
+        throw std::invalid_argument(place(i) + ": got the shape " + text_of(result[i].array.attr("shape")) +
+                                    ", expected one dimension");
       }
     } catch (const std::invalid_argument& error) {
       if (refused == nullptr) throw;
@@ -165,7 +170,8 @@ std::vector<Numbers<double>> columns_of(const std::string& table, const std::vec
     column = contiguous<double>(column.array.attr("reshape")(-1)[numpy("logical_not")(masked)]);
   }
   warn((table.empty() ? with_masks : table) + ": rows with a masked number are left out, " +
-       std::to_string(nb::cast<std::size_t>(numpy("count_nonzero")(masked))) + " of " + std::to_string(nb::len(masked)));
+       std::to_string(nb::cast<std::size_t>(numpy("count_nonzero")(masked))) + " of " +
+       std::to_string(nb::len(masked)));
   return result;
 }
 
@@ -184,11 +190,12 @@ template std::vector<Numbers<float>> broadcast(std::span<const nb::handle> value
 template <class Real>
 void require(const Real* numbers, std::size_t size, const char* name, const Range& range) {
   const Real* const end = numbers + size;
-  const Real* const bad =
-      std::find_if(numbers, end, [&](Real number) { return double{number} < range.least || double{number} > range.most; });
+  const Real* const bad = std::find_if(
+      numbers, end, [&](Real number) { return double{number} < range.least || double{number} > range.most; });
   if (bad == end) return;
   const std::string place = size == 1 ? "" : "[" + std::to_string(bad - numbers) + "]";
-  throw std::invalid_argument(name + place + ": got " + format_number(double{*bad}) + ", expected " + std::string(range.text));
+  throw std::invalid_argument(name + place + ": got " + format_number(double{*bad}) + ", expected " +
+                              std::string(range.text));
 }
 template void require(const double* numbers, std::size_t size, const char* name, const Range& range);
 template void require(const float* numbers, std::size_t size, const char* name, const Range& range);
@@ -273,12 +280,14 @@ static Vector vector_of(nb::handle values, const char* name, const char* expecte
     if (numbers && numbers->dimensions == 1 && numbers->size == size) return Vector(numbers->data);
     if (!items.type().is(numpy("ndarray"))) items = numbers_of<double>(values, name).array;
     items = items.attr("tolist")();
-    if (!nb::isinstance<nb::list>(items)) throw std::invalid_argument(std::string(name) + ": got one number, expected " + expected);
+    if (!nb::isinstance<nb::list>(items))
+      throw std::invalid_argument(std::string(name) + ": got one number, expected " + expected);
   }
   const nb::tuple all(items);  // a copy: converting a number may change a list
   Vector vector;
   if (nb::len(all) != size)
-    throw std::invalid_argument(std::string(name) + ": got " + std::to_string(nb::len(all)) + " numbers, expected " + expected);
+    throw std::invalid_argument(std::string(name) + ": got " + std::to_string(nb::len(all)) + " numbers, expected " +
+                                expected);
   for (std::size_t i = 0; i < size; ++i) vector[static_cast<Eigen::Index>(i)] = number_of(all[i], name);
   return vector;
 }
@@ -329,7 +338,9 @@ std::string path_of(nb::handle path) {
 
 /// As nanobind does, but with names of files that are not UTF-8.
 void translate(const std::exception_ptr& thrown, void*) {
-  const auto raise = [](PyObject* type, const char* message) { PyErr_SetObject(type, nb::cast(cli::MemoryColumns::named(message)).ptr()); };
+  const auto raise = [](PyObject* type, const char* message) {
+    PyErr_SetObject(type, nb::cast(cli::MemoryColumns::named(message)).ptr());
+  };
   try {
     std::rethrow_exception(thrown);
   } catch (const nb::builtin_exception&) {
@@ -354,14 +365,16 @@ static PyObject* first_module() {
 NB_MODULE(_core, module) {
 #undef PyInit__core
   using namespace limitcurve::python;
-  // Types are registered once a process: imported again, for example by an add-on's reloader, the module has those of the first.
+  // Types are registered once a process: imported again, for example by an add-on's reloader, the module has those of
+  // the first.
   if (PyObject* const first = first_module()) {
     nb::cast<nb::dict>(module.attr("__dict__")).update(nb::cast<nb::dict>(nb::handle(first).attr("__dict__")));
     return;
   }
   is_registered = true;
   nb::borrow<nb::dict>(PyInterpreterState_GetDict(PyInterpreterState_Get()))["limitcurve._core"] = module;
-  module.doc() = "Laws, tables, fingers, batches, patches and the command line: the C++ library. Use it as `limitcurve`.";
+  module.doc() =
+      "Laws, tables, fingers, batches, patches and the command line: the C++ library. Use it as `limitcurve`.";
   nb::register_exception_translator(translate);
   module.attr("version") = nb::str(limitcurve::version.data(), limitcurve::version.size());
   limitcurve::between_samples = raise_signals;
@@ -383,19 +396,23 @@ NB_MODULE(_core, module) {
       nb::arg("table"), nb::arg("names"), nb::arg("columns"),
       nb::sig("def columns_of(table: str, names: collections.abc.Sequence[str], columns: list[typing.Any]) -> "
               "tuple[list[numpy.typing.NDArray[numpy.float64]], list[str]]"),
-      "A table's columns as arrays of one length, without masked rows; and of each what is wrong with it, '' if it has numbers.");
+      "A table's columns as arrays of one length, without masked rows; and of each what is wrong with it, '' if it has "
+      "numbers.");
   nb::list names;
-  for (const auto& number : limitcurve::godobject::finger_parameter_table) names.append(nb::str(number.name.data(), number.name.size()));
+  for (const auto& number : limitcurve::godobject::finger_parameter_table)
+    names.append(nb::str(number.name.data(), number.name.size()));
   module.attr("finger_parameter_table") = names;
   module.def(
-      "numbers_of", [](nb::handle values, const std::string& name) { return numbers_of<double>(values, name).array; }, nb::arg("values"),
-      nb::arg("name"), nb::sig("def numbers_of(values: numpy.typing.ArrayLike, name: str) -> numpy.typing.NDArray[numpy.float64]"),
+      "numbers_of", [](nb::handle values, const std::string& name) { return numbers_of<double>(values, name).array; },
+      nb::arg("values"), nb::arg("name"),
+      nb::sig("def numbers_of(values: numpy.typing.ArrayLike, name: str) -> numpy.typing.NDArray[numpy.float64]"),
       "An array of numbers. ValueError with their name if they are none.");
 }
 
 /// Refuses another interpreter before nanobind, whose own initialisation would take the types from the first.
 extern "C" NB_EXPORT PyObject* PyInit__core() {
   if (!is_registered || first_module() != nullptr) return init_by_nanobind();
-  PyErr_SetString(PyExc_ImportError, "limitcurve._core: another interpreter of this process has imported it, expected one");
+  PyErr_SetString(PyExc_ImportError,
+                  "limitcurve._core: another interpreter of this process has imported it, expected one");
   return nullptr;
 }

@@ -20,7 +20,8 @@
 #include <utility>
 #include <vector>
 
-/// Shared by the sources of the module: the objects behind the Python classes, and a function a source that adds its classes.
+/// Shared by the sources of the module: the objects behind the Python classes, and a function a source that adds its
+/// classes.
 namespace limitcurve::python {
 
 void add_laws(nb::module_& module);
@@ -69,7 +70,8 @@ PyCurve closed_curve(const std::string& name, double force_max, double moment_ma
 /// `at` of COR distances c, of any sign.
 template <std::size_t results, std::size_t block = 16, class At>
 nb::object of_cors(nb::handle c, const At& at) {
-  return of_numbers<results, block, 1>({c}, {"c"}, {ranges::signed_distance}, [&](const std::array<double, 1>& s) { return at(s[0]); });
+  return of_numbers<results, block, 1>({c}, {"c"}, {ranges::signed_distance},
+                                       [&](const std::array<double, 1>& s) { return at(s[0]); });
 }
 
 /// Force and moment, as results of of_numbers.
@@ -105,7 +107,8 @@ Numbers unpacked(const nb::tuple& state) {
 template <class Numbers, class Class>
 void pickle_plainly(Class& type) {
   type.def("__getstate__", [](const Numbers& self) { return packed(self); });
-  type.def("__setstate__", [](Numbers& self, const nb::tuple& state) { new (&self) Numbers(unpacked<Numbers>(state)); });
+  type.def("__setstate__",
+           [](Numbers& self, const nb::tuple& state) { new (&self) Numbers(unpacked<Numbers>(state)); });
 }
 
 /// A law from a str or a Law.
@@ -121,7 +124,8 @@ nb::dict read_files(nb::dict given);
 godobject::FingerParameters parameters_of(const nb::dict& given, double moment_ratio);
 /// Warns of a radius law, which was typed, whose radius at 1 N is hardly in metres.
 void ask_unit(const RadiusLaw& law);
-/// These parameters as keywords of a Python function, with types and defaults; for a patch without those of a round contact's moment.
+/// These parameters as keywords of a Python function, with types and defaults; for a patch without those of a round
+/// contact's moment.
 std::string parameters_signature(bool of_patch = false);
 /// The projection of a word; default closest point.
 godobject::Projection projection_of(nb::handle word);

@@ -45,15 +45,19 @@ nb::object loads_to_hold(const Curve& curve, const BoundArguments& given) {
   const nb::handle mu_r = given[4];
   const nb::object gamma = given[5].is_none() ? nb::float_(0.0) : given[5];
   if (radius_law.is_none() == mu_r.is_none())
-    throw std::invalid_argument(std::string("radius_law, mu_r: got ") + (mu_r.is_none() ? "none" : "both") + ", expected one of them");
-  const auto least = [&](const ContactFriction& contact, double f, double m) { return std::array{load_to_hold(curve, contact, f, m)}; };
+    throw std::invalid_argument(std::string("radius_law, mu_r: got ") + (mu_r.is_none() ? "none" : "both") +
+                                ", expected one of them");
+  const auto least = [&](const ContactFriction& contact, double f, double m) {
+    return std::array{load_to_hold(curve, contact, f, m)};
+  };
   if (mu_r.is_none()) {
     const cli::RadiusLawArgument argument = cli::read_radius_law(string_of(radius_law, "radius_law"));
     ContactFriction contact{.mu = -1.0, .gamma = number_of(gamma, "gamma")};
-    nb::object result =
-        of_numbers<1, 16, 3>({force, moment, mu}, {"force", "moment", "mu"}, {any, any, ranges::non_negative}, [&](const auto& of) {
+    nb::object result = of_numbers<1, 16, 3>(
+        {force, moment, mu}, {"force", "moment", "mu"}, {any, any, ranges::non_negative}, [&](const auto& of) {
           // Measured moments make another radius law for each mu; without friction none matters.
-          if (of[2] != contact.mu) contact.radius_law = of[2] > 0.0 ? argument.of(of[2], curve.moment_ratio()) : RadiusLaw::constant(1e-3);
+          if (of[2] != contact.mu)
+            contact.radius_law = of[2] > 0.0 ? argument.of(of[2], curve.moment_ratio()) : RadiusLaw::constant(1e-3);
           contact.mu = of[2];
           return least(contact, of[0], of[1]);
         });
@@ -62,8 +66,9 @@ nb::object loads_to_hold(const Curve& curve, const BoundArguments& given) {
   }
   constexpr Range exponent{-0.5, 1.0, "a number from -0.5 to 1"};
   return of_numbers<1, 16, 5>({force, moment, mu, mu_r, gamma}, {"force", "moment", "mu", "mu_r", "gamma"},
-                              {any, any, ranges::non_negative, ranges::non_negative, exponent},
-                              [&](const auto& of) { return least({.mu = of[2], .mu_r = of[3], .gamma = of[4]}, of[0], of[1]); });
+                              {any, any, ranges::non_negative, ranges::non_negative, exponent}, [&](const auto& of) {
+                                return least({.mu = of[2], .mu_r = of[3], .gamma = of[4]}, of[0], of[1]);
+                              });
 }
 
 /// The gauges of arrays of wrenches by a table, in blocks, which are computed in packs.
@@ -97,13 +102,16 @@ void add_limit_curve(nb::class_<Class>& type) {
       },
       "Unit wrenches at COR distances of c contact radii; of a table within checked_error. As Law.evaluate.");
   define<const Class&>(
-      type, "def wrench(self, slide: numpy.typing.ArrayLike, spin: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]",
+      type,
+      "def wrench(self, slide: numpy.typing.ArrayLike, spin: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]",
       [](const Class& self, const BoundArguments& given) {
-        return of_numbers<2, 256, 2>({given[0], given[1]}, {"slide", "spin"}, {any, any}, [&](const std::array<double, 2>& twist) {
-          return components(curve_in(self).wrench({twist[0], twist[1]}));
-        });
+        return of_numbers<2, 256, 2>({given[0], given[1]}, {"slide", "spin"}, {any, any},
+                                     [&](const std::array<double, 2>& twist) {
+                                       return components(curve_in(self).wrench({twist[0], twist[1]}));
+                                     });
       },
-      "Unit wrenches of slips with speeds |v| and rim speeds a|omega|, of which only the ratio counts, without signs; no slip gives 0.\n"
+      "Unit wrenches of slips with speeds |v| and rim speeds a|omega|, of which only the ratio counts, without signs; "
+      "no slip gives 0.\n"
       "Broadcasts; else as evaluate(slide / spin).");
   define<const Class&>(
       type, "def gauge(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any",
@@ -111,25 +119,32 @@ void add_limit_curve(nb::class_<Class>& type) {
         if constexpr (std::is_same_v<Class, Table>) {
           if (!plain_number(given[0]) || !plain_number(given[1])) return gauges(self, {given[0], given[1]});
         }
-        return of_numbers<1, 16, 2>({given[0], given[1]}, {"force", "moment"}, {any, any}, [&](const std::array<double, 2>& wrench) {
-          return std::array{curve_in(self).gauge({wrench[0], wrench[1]})};
-        });
+        return of_numbers<1, 16, 2>({given[0], given[1]}, {"force", "moment"}, {any, any},
+                                    [&](const std::array<double, 2>& wrench) {
+                                      return std::array{curve_in(self).gauge({wrench[0], wrench[1]})};
+                                    });
       },
-      "Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Signs do not\n"
+      "Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. "
+      "Signs do not\n"
       "count. Broadcasts.");
   define<const Class&>(
       type,
-      "def load_to_hold(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: numpy.typing.ArrayLike, radius_law: "
+      "def load_to_hold(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: "
+      "numpy.typing.ArrayLike, radius_law: "
       "str "
       "| None = None, mu_r: numpy.typing.ArrayLike | None = None, gamma: numpy.typing.ArrayLike = 0.0) -> typing.Any",
       [](const Class& self, const BoundArguments& given) { return loads_to_hold(curve_in(self), given); },
-      "The least load [N] that holds friction forces [N] and moments [N m], of any sign; inf if no load does. All numbers broadcast.\n\n"
-      "`radius_law` gives the contact radius a(P), as on the command line; or `mu_r` [m/N^gamma] is given as measured, and the moment\n"
-      "limit is mu_r P^(1+gamma): radii a [m] of many contacts are mu_r = mu * moment_ratio * a. Of a measured pressure lc.run('hold', "
+      "The least load [N] that holds friction forces [N] and moments [N m], of any sign; inf if no load does. All "
+      "numbers broadcast.\n\n"
+      "`radius_law` gives the contact radius a(P), as on the command line; or `mu_r` [m/N^gamma] is given as measured, "
+      "and the moment\n"
+      "limit is mu_r P^(1+gamma): radii a [m] of many contacts are mu_r = mu * moment_ratio * a. Of a measured "
+      "pressure lc.run('hold', "
       "...)\n"
       "estimates the error, hold_error.");
   type.def_prop_ro(
-      "moment_ratio", [](const Class& self) { return curve_in(self).moment_ratio(); }, "m0, the unit moment of a pure twist.");
+      "moment_ratio", [](const Class& self) { return curve_in(self).moment_ratio(); },
+      "m0, the unit moment of a pure twist.");
 }
 
 constexpr std::size_t cell_columns = 9;
@@ -144,7 +159,8 @@ nb::object cells_of(const Table& table) {
     next = std::copy(cell.coefficients.begin(), cell.coefficients.end(), next);
   };
   for (const TableCell& cell : table.cells().inside) add(0.0, cell);
-  std::for_each(table.cells().outside.rbegin(), table.cells().outside.rend(), [&](const TableCell& cell) { add(1.0, cell); });
+  std::for_each(table.cells().outside.rbegin(), table.cells().outside.rend(),
+                [&](const TableCell& cell) { add(1.0, cell); });
   double* const data = rows.release();
   const nb::capsule owner(data, [](void* numbers) noexcept { delete[] static_cast<double*>(numbers); });
   return nb::cast(nb::ndarray<nb::numpy, double>(data, {count, cell_columns}, owner));
@@ -153,8 +169,9 @@ nb::object cells_of(const Table& table) {
 /// Whether two tables have the same numbers, whatever they were made from.
 bool same(const Table& one, const Table& other) {
   const auto equal = [](const std::vector<TableCell>& a, const std::vector<TableCell>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const TableCell& c, const TableCell& d) { return c.x == d.x && c.coefficients == d.coefficients; });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const TableCell& c, const TableCell& d) {
+      return c.x == d.x && c.coefficients == d.coefficients;
+    });
   };
   return one.checked_error() == other.checked_error() && equal(one.cells().inside, other.cells().inside) &&
          equal(one.cells().outside, other.cells().outside);
@@ -170,16 +187,19 @@ nb::object tangent_ellipses(const Table& self, const BoundArguments& given) {
       throw std::invalid_argument("slip: got " + shown(slip) + ", expected (v, u)");
     const nb::object slide = slip[0];
     const nb::object spin = slip[1];
-    return of_numbers<2, 16, 2>({slide, spin}, {"slip[0]", "slip[1]"}, {any, any}, [&](const std::array<double, 2>& twist) {
-      return axes(tangent_ellipse(self, SlipTwist{twist[0], twist[1]}));
-    });
+    return of_numbers<2, 16, 2>({slide, spin}, {"slip[0]", "slip[1]"}, {any, any},
+                                [&](const std::array<double, 2>& twist) {
+                                  return axes(tangent_ellipse(self, SlipTwist{twist[0], twist[1]}));
+                                });
   }
   if (!has(2)) {
-    return of_numbers<2, 16, 2>({given[0], given[1]}, {"force", "moment"}, {any, any},
-                                [&](const std::array<double, 2>& wrench) { return axes(tangent_ellipse(self, wrench[0], wrench[1])); });
+    return of_numbers<2, 16, 2>(
+        {given[0], given[1]}, {"force", "moment"}, {any, any},
+        [&](const std::array<double, 2>& wrench) { return axes(tangent_ellipse(self, wrench[0], wrench[1])); });
   }
-  return of_numbers<2, 16, 4>({given[0], given[1], given[2], given[3]}, {"force", "moment", "p", "q"}, {any, any, any, any},
-                              [&](const std::array<double, 4>& of) { return axes(tangent_ellipse(self, of[0], of[1], of[2], of[3])); });
+  return of_numbers<2, 16, 4>(
+      {given[0], given[1], given[2], given[3]}, {"force", "moment", "p", "q"}, {any, any, any, any},
+      [&](const std::array<double, 4>& of) { return axes(tangent_ellipse(self, of[0], of[1], of[2], of[3])); });
 }
 
 void add_tables(nb::module_& module) {
@@ -193,8 +213,8 @@ void add_tables(nb::module_& module) {
   add_limit_curve(type);
   type.def("__getstate__",
            [](const Table& self) {
-             return nb::make_tuple(self.law_name(), self.tolerance(), self.checked_error(), self.profile_error(), self.cells().index_bits,
-                                   self.cells().octaves, cells_of(self));
+             return nb::make_tuple(self.law_name(), self.tolerance(), self.checked_error(), self.profile_error(),
+                                   self.cells().index_bits, self.cells().octaves, cells_of(self));
            })
       .def("__setstate__", [](Table& self, const nb::tuple& state) {
         const auto number = [&](std::size_t i) { return nb::cast<double>(state[i]); };
@@ -218,14 +238,17 @@ void add_tables(nb::module_& module) {
         const nb::gil_scoped_release release;
         new (self) Table(Table::build(of, tolerance, options));
       },
-      "The table of a law: |error| <= tolerance * max(1, m0) in f and m, tolerance in [1e-14, 0.1]. Its polynomials have the lowest\n"
-      "degree, 3 to 5, with which nbytes <= preferred_bytes, else 6: the lowest is the fastest. Milliseconds in closed form, up to "
+      "The table of a law: |error| <= tolerance * max(1, m0) in f and m, tolerance in [1e-14, 0.1]. Its polynomials "
+      "have the lowest\n"
+      "degree, 3 to 5, with which nbytes <= preferred_bytes, else 6: the lowest is the fastest. Milliseconds in closed "
+      "form, up to "
       "seconds\n"
       "by quadrature. RuntimeError if the law does not allow that tolerance. Releases the GIL.");
   define_static(
       type, "def load(path: str | os.PathLike[str]) -> Table",
       [](const BoundArguments& given) { return cli::read_table(path_of(given[0])); },
-      "Reads a .csv or .json file that `save` or `limitcurve table` wrote. ValueError names file, line and column of the error.");
+      "Reads a .csv or .json file that `save` or `limitcurve table` wrote. ValueError names file, line and column of "
+      "the error.");
   define<const Table&>(
       type, "def save(self, path: str | os.PathLike[str], name: str = '') -> None",
       [](const Table& self, const BoundArguments& given) {
@@ -239,18 +262,24 @@ void add_tables(nb::module_& module) {
       "Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).\n"
       "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.");
   type.def("__eq__",
-           [](const Table& self, nb::handle other) { return nb::isinstance<Table>(other) && same(self, nb::cast<const Table&>(other)); })
+           [](const Table& self, nb::handle other) {
+             return nb::isinstance<Table>(other) && same(self, nb::cast<const Table&>(other));
+           })
       .def("__hash__", [](const Table& self) { return std::hash<double>()(self.checked_error()); });
   define<const Table&>(
       type,
-      "def tangent_ellipse(self, force: numpy.typing.ArrayLike | None = None, moment: numpy.typing.ArrayLike | None = None, p: "
+      "def tangent_ellipse(self, force: numpy.typing.ArrayLike | None = None, moment: numpy.typing.ArrayLike | None = "
+      "None, p: "
       "numpy.typing.ArrayLike | None = None, q: numpy.typing.ArrayLike | None = None, *, slip: "
       "tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None = None) -> tuple[typing.Any, typing.Any]",
       &tangent_ellipses,
-      "Semi-axes (p, q) with which an engine's elliptic cone, coefficients mu p and mu a q, finds the exact curve: of the ellipse "
+      "Semi-axes (p, q) with which an engine's elliptic cone, coefficients mu p and mu a q, finds the exact curve: of "
+      "the ellipse "
       "that\n"
-      "touches it. Give the engine's last unit wrench (F/(mu P), M/(mu P a)) and the p and q it was found with, after each step: they\n"
-      "converge. Without p and q it touches on the wrench's ray; slip=(|v|, a|omega|): at a known slip. Signs are ignored; no wrench\n"
+      "touches it. Give the engine's last unit wrench (F/(mu P), M/(mu P a)) and the p and q it was found with, after "
+      "each step: they\n"
+      "converge. Without p and q it touches on the wrench's ray; slip=(|v|, a|omega|): at a known slip. Signs are "
+      "ignored; no wrench\n"
       "or slip gives the usual ellipse (1, m0), NaN gives NaN. Broadcasts.\n\n"
       ">>> import limitcurve as lc\n"
       ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
@@ -258,29 +287,33 @@ void add_tables(nb::module_& module) {
       ">>> f, m = lc.ellipse(p, q).wrench(1, 1)  # what the engine finds\n"
       ">>> abs(f - table.wrench(1, 1)[0]) < 1e-15\n"
       "True\n");
-  type.def_prop_ro(
-          "cells", &cells_of, nb::sig("def cells(self) -> numpy.typing.NDArray[numpy.float64]"),
-          "The cells as rows (side, x, c0 ... c6), in the order of a file: D(t) = sum ci (t - x)^i from t = x to the next larger x of its\n"
-          "side, or to 1. On side 0, inside the rim, t = c/a, and (D', D - t D') is force and moment; on side 1, outside, t = a/c, and\n"
-          "it is moment and force.")
+  type.def_prop_ro("cells", &cells_of, nb::sig("def cells(self) -> numpy.typing.NDArray[numpy.float64]"),
+                   "The cells as rows (side, x, c0 ... c6), in the order of a file: D(t) = sum ci (t - x)^i from t = x "
+                   "to the next larger x of its\n"
+                   "side, or to 1. On side 0, inside the rim, t = c/a, and (D', D - t D') is force and moment; on side "
+                   "1, outside, t = a/c, and\n"
+                   "it is moment and force.")
       .def_prop_ro("checked_error", &Table::checked_error, "Bound on the absolute error of f and m against the law.")
       .def_prop_ro("profile_error", &Table::profile_error,
                    "Additional error because the pressure is known only at samples; 0 for a formula.")
       .def_prop_ro("tolerance", &Table::tolerance, "Requested tolerance.")
       .def_prop_ro("law_name", &Table::law_name, "The law in words.")
       .def_prop_ro("nbytes", &Table::bytes, "Bytes that a look-up may touch.")
-      .def("__repr__",
-           [](const Table& self) { return "<Table of " + self.law_name() + ", error <= " + format_number(self.checked_error()) + ">"; });
+      .def("__repr__", [](const Table& self) {
+        return "<Table of " + self.law_name() + ", error <= " + format_number(self.checked_error()) + ">";
+      });
 }
 
 void add_closed_curves(nb::module_& module) {
-  nb::class_<PyCurve> type(module, "Curve", "An ellipse or a box; it can drive a finger in place of a table: see `ellipse` and `box`.");
+  nb::class_<PyCurve> type(module, "Curve",
+                           "An ellipse or a box; it can drive a finger in place of a table: see `ellipse` and `box`.");
   copies_are_itself(type);
   add_limit_curve(type);
   type.def("__getstate__", [](const PyCurve& self) { return std::tuple(self.name, self.force_max, self.moment_max); })
-      .def(
-          "__setstate__",
-          [](PyCurve& self, const std::tuple<std::string, double, double>& state) { new (&self) PyCurve(std::apply(closed_curve, state)); })
+      .def("__setstate__",
+           [](PyCurve& self, const std::tuple<std::string, double, double>& state) {
+             new (&self) PyCurve(std::apply(closed_curve, state));
+           })
       .def("__repr__", [](const PyCurve& self) { return "<" + self.name + ">"; });
   define_static(
       module, "def ellipse(force_max: float, moment_max: float) -> Curve",
@@ -290,7 +323,9 @@ void add_closed_curves(nb::module_& module) {
       "The ellipse with these semi-axes in unit wrenches; the usual one is ellipse(1, law.moment_ratio).");
   define_static(
       module, "def box(force_max: float, moment_max: float) -> Curve",
-      [](const BoundArguments& given) { return closed_curve("box", number_of(given[0], "force_max"), number_of(given[1], "moment_max")); },
+      [](const BoundArguments& given) {
+        return closed_curve("box", number_of(given[0], "force_max"), number_of(given[1], "moment_max"));
+      },
       "Separate limits of force and moment; only with projection='closest-point'.");
 }
 
@@ -323,9 +358,11 @@ godobject::BasicFingerCurve<float> curve_of(nb::handle curve) {
   if (nb::isinstance<PyCurve>(curve)) return nb::cast<const PyCurve&>(curve).single;
   if (!nb::isinstance<Table>(curve))
     throw std::invalid_argument("curve: got " + shown(curve) + ", expected a Table, or what ellipse() or box() made");
-  // From the table itself, not from its law: that is only a name in a file, and the file of a measured profile may have changed.
+  // From the table itself, not from its law: that is only a name in a file, and the file of a measured profile may have
+  // changed.
   const auto& table = nb::cast<const Table&>(curve);
-  return FloatTable::build(table, std::max(table.tolerance() / 100, FloatTable::finest_tolerance), {.name = table.law_name()});
+  return FloatTable::build(table, std::max(table.tolerance() / 100, FloatTable::finest_tolerance),
+                           {.name = table.law_name()});
 }
 
 void add_curves(nb::module_& module) {

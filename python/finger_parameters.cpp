@@ -65,7 +65,8 @@ FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
       if (nb::try_cast(value, rows)) {
         const auto& [text, loads, values] = rows;
         std::vector<LoadSample> samples;
-        for (std::size_t i = 0; i < std::min(loads.size(), values.size()); ++i) samples.push_back({loads[i], values[i]});
+        for (std::size_t i = 0; i < std::min(loads.size(), values.size()); ++i)
+          samples.push_back({loads[i], values[i]});
         radius_law.emplace(text, std::move(samples));
         continue;
       }
@@ -129,23 +130,27 @@ void add_passivity(nb::module_& module) {
   define_static(
       module, "def device_damping_needed(sample_time: float, *, delay: int = 0, " + rest + "tuple[float, float]",
       [delay_of](const BoundArguments& given) {
-        const DeviceDamping device =
-            device_damping_needed(parameters_of(given.by_name, 1.0), number_of(given[0], "sample_time"), delay_of(given[1]));
+        const DeviceDamping device = device_damping_needed(parameters_of(given.by_name, 1.0),
+                                                           number_of(given[0], "sample_time"), delay_of(given[1]));
         return std::tuple(device.sliding, device.twist);
       },
-      "The damping [N s/m] and twist damping [N m s/rad] that a device itself needs, with its force `delay` samples late, so that the\n"
+      "The damping [N s/m] and twist damping [N m s/rad] that a device itself needs, with its force `delay` samples "
+      "late, so that the\n"
       "sampled springs and dampers of a finger add no energy in any hand. Most devices are a sample late.\n\n"
       ">>> import limitcurve as lc\n"
       ">>> lc.device_damping_needed(1e-3, delay=1, stiffness=1000, twist_stiffness=0.04)\n"
       "(1.5, 6e-05)\n");
   define_static(
-      module, "def require_passive(sample_time: float, b: float, b_r: float = float('inf'), *, delay: int = 0, " + rest + "None",
+      module,
+      "def require_passive(sample_time: float, b: float, b_r: float = float('inf'), *, delay: int = 0, " + rest +
+          "None",
       [delay_of](const BoundArguments& given) {
         const double twist = number_of(given[2], "b_r", std::numeric_limits<double>::infinity());
-        require_passive(parameters_of(given.by_name, 1.0), number_of(given[0], "sample_time"), {number_of(given[1], "b"), twist},
-                        delay_of(given[3]));
+        require_passive(parameters_of(given.by_name, 1.0), number_of(given[0], "sample_time"),
+                        {number_of(given[1], "b"), twist}, delay_of(given[3]));
       },
-      "ValueError, with what to change, unless a device damped by b [N s/m] and b_r [N m s/rad] has more than it needs; inf leaves one "
+      "ValueError, with what to change, unless a device damped by b [N s/m] and b_r [N m s/rad] has more than it "
+      "needs; inf leaves one "
       "unchecked.");
 }
 

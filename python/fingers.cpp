@@ -34,44 +34,58 @@ constexpr const char* any_vector = "collections.abc.Sequence[float] | numpy.typi
 constexpr const char* plain_vector = "tuple[float, float, float] | numpy.typing.NDArray[numpy.float64]";
 
 /// A method that takes a contact with a depth or a load, and the device's twist or orientation.
-std::string step_signature(const char* name, const char* depth_or_load, const std::string& held, const std::string& vector = any_vector) {
-  return std::string("def ") + name + "(self, point: " + vector + ", normal: " + vector + ", " + depth_or_load + ": float, " + held +
-         ", dt: float = 0.0, landed: bool = False) -> FingerOutput";
+std::string step_signature(const char* name, const char* depth_or_load, const std::string& held,
+                           const std::string& vector = any_vector) {
+  return std::string("def ") + name + "(self, point: " + vector + ", normal: " + vector + ", " + depth_or_load +
+         ": float, " + held + ", dt: float = 0.0, landed: bool = False) -> FingerOutput";
 }
 
 /// A step twice: of plain values, and of all kinds.
 template <class Self, class Step>
-void define_step(nb::class_<PyFinger>& type, const char* name, const char* depth_or_load, const Step& step, const char* doc) {
+void define_step(nb::class_<PyFinger>& type, const char* name, const char* depth_or_load, const Step& step,
+                 const char* doc) {
   type.def(
       name,
-      [step](Self self, const PlainVector& point, const PlainVector& normal, PlainNumber of, PlainNumber twist, PlainNumber dt,
+      [step](Self self, const PlainVector& point, const PlainVector& normal, PlainNumber of, PlainNumber twist,
+             PlainNumber dt,
              bool landed) { return step(self, point.value, normal.value, of.value, twist.value, dt.value, landed); },
-      nb::arg("point"), nb::arg("normal"), nb::arg(depth_or_load), nb::arg("twist"), nb::arg("dt") = 0.0, nb::arg("landed") = false,
-      nb::sig(step_signature(name, depth_or_load, "twist: float", plain_vector).c_str()));
+      nb::arg("point"), nb::arg("normal"), nb::arg(depth_or_load), nb::arg("twist"), nb::arg("dt") = 0.0,
+      nb::arg("landed") = false, nb::sig(step_signature(name, depth_or_load, "twist: float", plain_vector).c_str()));
   define<Self>(
       type, step_signature(name, depth_or_load, "twist: float"),
       [=](Self self, const BoundArguments& given) {
-        return step(self, three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], depth_or_load),
-                    number_of(given[3], "twist"), number_of(given[4], "dt", 0.0), truth_of(given[5]));
+        return step(self, three_numbers(given[0], "point"), three_numbers(given[1], "normal"),
+                    number_of(given[2], depth_or_load), number_of(given[3], "twist"), number_of(given[4], "dt", 0.0),
+                    truth_of(given[5]));
       },
       doc);
 }
 
 constexpr const char* update_doc =
-    "One step. Input: the contact (surface point [m], outward unit normal, depth [m] below the surface, <= 0 outside), the\n"
-    "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers. landed: the finger left the\n"
-    "surface since the last step and landed on it anew, as from one wall to another; then it touches down. On another body call reset() "
+    "One step. Input: the contact (surface point [m], outward unit normal, depth [m] below the surface, <= 0 outside), "
+    "the\n"
+    "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers. landed: the "
+    "finger left the\n"
+    "surface since the last step and landed on it anew, as from one wall to another; then it touches down. On another "
+    "body call reset() "
     "before.\n\n"
-    "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state `invalid`, with\n"
+    "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state "
+    "`invalid`, with\n"
     "the reason in `fault`: the last good output is held, and fades.";
 
 constexpr const char* update_under_load_doc =
-    "One step where a physics engine gives the load [N] and not a depth. point: where the finger is on the surface [m], whose\n"
-    "motion friction sees. With a load <= 0 the finger is free; one that is not finite is bad input. The output has that load, and\n"
+    "One step where a physics engine gives the load [N] and not a depth. point: where the finger is on the surface "
+    "[m], whose\n"
+    "motion friction sees. With a load <= 0 the finger is free; one that is not finite is bad input. The output has "
+    "that load, and\n"
     "NaN for the depth. Friction reaches its limit on a surface of any radius. The rest as in `update`.";
 
 Contact contact_of(const BoundArguments& given) {
-  return {three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "depth"), {}, truth_of(given[5])};
+  return {three_numbers(given[0], "point"),
+          three_numbers(given[1], "normal"),
+          number_of(given[2], "depth"),
+          {},
+          truth_of(given[5])};
 }
 
 Orientation orientation_of(nb::handle given) {
@@ -84,8 +98,9 @@ FingerOutput update_pose(PyFinger& finger, const BoundArguments& given) {
 }
 
 FingerOutput update_under_load_pose(PyFinger& finger, const BoundArguments& given) {
-  return finger.update_under_load(three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "load"),
-                                  orientation_of(given[3]), number_of(given[4], "dt", 0.0), truth_of(given[5]));
+  return finger.update_under_load(three_numbers(given[0], "point"), three_numbers(given[1], "normal"),
+                                  number_of(given[2], "load"), orientation_of(given[3]), number_of(given[4], "dt", 0.0),
+                                  truth_of(given[5]));
 }
 
 FingerOutput preview_pose(const PyFinger& finger, const BoundArguments& given) {
@@ -107,7 +122,8 @@ void change(PyFinger& finger, const BoundArguments& given) {
 }
 
 void add_output(nb::module_& module) {
-  nb::enum_<ContactState>(module, "ContactState", nb::is_arithmetic(), "State of a contact. str() is the command line's name.")
+  nb::enum_<ContactState>(module, "ContactState", nb::is_arithmetic(),
+                          "State of a contact. str() is the command line's name.")
       .value("free", ContactState::free, "not touching")
       .value("stick", ContactState::stick, "touching, the proxy rests")
       .value("slip", ContactState::slip, "touching, the proxy slid in this step")
@@ -122,9 +138,10 @@ void add_output(nb::module_& module) {
       .value("displacement", Fault::displacement, "more than max_displacement since the last sample")
       .value("body", Fault::body, "the pose of the touched body is none")
       .value("force", Fault::force, "the force or the moment on the touched body is none");
-  nb::class_<FingerOutput> type(module, "FingerOutput",
-                                "Result of a step. The user feels `whole_force` and `moment_vector`; after `update_under_load` apply\n"
-                                "`force` and `moment_vector` alone, the engine pushes.");
+  nb::class_<FingerOutput> type(
+      module, "FingerOutput",
+      "Result of a step. The user feels `whole_force` and `moment_vector`; after `update_under_load` apply\n"
+      "`force` and `moment_vector` alone, the engine pushes.");
   pickle_plainly<FingerOutput>(type);
   type.def_ro("state", &FingerOutput::state, "ContactState")
       .def_prop_ro(
@@ -152,12 +169,14 @@ void add_output(nb::module_& module) {
 }
 
 void add_finger_types(nb::module_& module) {
-  const std::string of_patch = "def __init__(self, patch: Patch, *, point_radius: float = 0.0, " + parameters_signature(true) + ") -> None";
-  const std::string of_curve =
-      "def __init__(self, curve: Table | Curve, *, projection: str = 'closest-point', " + parameters_signature() + ") -> None";
+  const std::string of_patch =
+      "def __init__(self, patch: Patch, *, point_radius: float = 0.0, " + parameters_signature(true) + ") -> None";
+  const std::string of_curve = "def __init__(self, curve: Table | Curve, *, projection: str = 'closest-point', " +
+                               parameters_signature() + ") -> None";
   nb::class_<PyFinger> type(
       module, "SoftFinger",
-      "A soft-finger god-object: springs, dampers, and friction within a limit curve or the limit surface of a patch.\n\n"
+      "A soft-finger god-object: springs, dampers, and friction within a limit curve or the limit surface of a "
+      "patch.\n\n"
       ">>> import limitcurve as lc\n"
       ">>> finger = lc.SoftFinger(lc.Table('hertz'), mu=0.6, radius_law='constant:a=0.006', stiffness=1000)\n"
       ">>> out = finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0, 1e-3)\n"
@@ -166,7 +185,8 @@ void add_finger_types(nb::module_& module) {
       ">>> finger = lc.SoftFinger(lc.Patch('rectangle:x=0.02,y=0.01'), mu=0.6)\n"
       ">>> str(finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0).state)\n"
       "'stick'\n");
-  type.def("__getstate__", [](const PyFinger& self) { return nb::make_tuple(self.contact, self.given, packed(self.state())); })
+  type.def("__getstate__",
+           [](const PyFinger& self) { return nb::make_tuple(self.contact, self.given, packed(self.state())); })
       .def("__setstate__", [](PyFinger& self, const nb::tuple& state) {
         const nb::object made = nb::type<PyFinger>()(state[0], **nb::cast<nb::dict>(state[1]));
         new (&self) PyFinger(nb::cast<const PyFinger&>(made));
@@ -174,16 +194,20 @@ void add_finger_types(nb::module_& module) {
       });
   type.def(
       "__init__",
-      [parameters = Parameters(of_patch)](PyFinger* self, nb::handle_t<PyPatch> patch, const nb::args& others, const nb::kwargs& given) {
+      [parameters = Parameters(of_patch)](PyFinger* self, nb::handle_t<PyPatch> patch, const nb::args& others,
+                                          const nb::kwargs& given) {
         if (given.contains("radius_law") || given.contains("projection"))
-          throw std::invalid_argument("radius_law, projection: not with a Patch, which has its own size and the closest point");
+          throw std::invalid_argument(
+              "radius_law, projection: not with a Patch, which has its own size and the closest point");
         static_cast<void>(parameters.bind(nb::borrow<nb::args>(nb::make_tuple(patch) + others), given));
         const auto& on = nb::cast<const PyPatch&>(patch);
         const nb::object radius = given.contains("point_radius") ? given["point_radius"] : nb::object(nb::float_(0.0));
-        new (self) PyFinger(SoftFinger(on, parameters_of(given, on.moment_ratio()), number_of(radius, "point_radius")), patch, given);
+        new (self) PyFinger(SoftFinger(on, parameters_of(given, on.moment_ratio()), number_of(radius, "point_radius")),
+                            patch, given);
       },
       nb::arg("patch"), nb::arg("args"), nb::arg("kwargs"), nb::sig(of_patch.c_str()),
-      "A finger whose contact is a patch, with the closest point and without a radius law. `point_radius` [m] is given to the points\n"
+      "A finger whose contact is a patch, with the closest point and without a radius law. `point_radius` [m] is given "
+      "to the points\n"
       "of a patch; 0 is the least.");
   define<PyFinger*>(
       type, of_curve,
@@ -193,31 +217,36 @@ void add_finger_types(nb::module_& module) {
         const FingerParameters parameters = parameters_of(all, on.moment_ratio());
         new (self) PyFinger(SoftFinger(std::move(on), parameters, projection_of(given[1])), given[0], all);
       },
-      "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: 'closest-point', 'radial',\n"
+      "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: "
+      "'closest-point', 'radial',\n"
       "'c-curve'. ValueError names a parameter out of range.");
   using Vector = Eigen::Vector3d;
   define_step<PyFinger&>(
       type, "update", "depth",
-      [](PyFinger& self, const Vector& point, const Vector& normal, double depth, double twist, double dt, bool landed) {
+      [](PyFinger& self, const Vector& point, const Vector& normal, double depth, double twist, double dt,
+         bool landed) {
         return self.update({point, normal, depth, {}, landed}, twist, dt);
       },
       update_doc);
   const std::string orientation = std::string("orientation: ") + any_vector;
-  define<PyFinger&>(type, step_signature("update_pose", "depth", orientation), &update_pose,
-                    "The same with the device's orientation (w, x, y, z; finger to surface) in place of its twist about the normal.");
+  define<PyFinger&>(
+      type, step_signature("update_pose", "depth", orientation), &update_pose,
+      "The same with the device's orientation (w, x, y, z; finger to surface) in place of its twist about the normal.");
   define_step<const PyFinger&>(
       type, "preview", "depth",
-      [](const PyFinger& self, const Vector& point, const Vector& normal, double depth, double twist, double dt, bool landed) {
+      [](const PyFinger& self, const Vector& point, const Vector& normal, double depth, double twist, double dt,
+         bool landed) {
         return self.preview({point, normal, depth, {}, landed}, twist, dt);
       },
       "What `update` would give; nothing changes.");
   define<const PyFinger&>(type, step_signature("preview_pose", "depth", orientation), &preview_pose,
                           "What `update_pose` would give; nothing changes.");
-  define<PyFinger&>(
-      type, "def change(self, *, " + parameters_signature() + ") -> None", &change,
-      "Other parameters in the loop, as where the finger touches another material: those that are absent have their default,\n"
-      "as in the constructor. Proxy, angle and `output` stay; the next step has the new springs at the same deflection. Where\n"
-      "the limit fell below the force it slips. ValueError for a bad one; then nothing changes.");
+  define<PyFinger&>(type, "def change(self, *, " + parameters_signature() + ") -> None", &change,
+                    "Other parameters in the loop, as where the finger touches another material: those that are absent "
+                    "have their default,\n"
+                    "as in the constructor. Proxy, angle and `output` stay; the next step has the new springs at the "
+                    "same deflection. Where\n"
+                    "the limit fell below the force it slips. ValueError for a bad one; then nothing changes.");
   define<PyFinger&>(
       type, "def copy_state(self, other: SoftFinger) -> None",
       [](PyFinger& self, const BoundArguments& given) {
@@ -238,14 +267,18 @@ void add_finger_types(nb::module_& module) {
   define<PyFinger&>(type, "def reset(self) -> None", &SoftFinger::reset, "Back to the state before any contact.");
   type.def_prop_ro(
       "output", [](const PyFinger& self) { return self.output(); }, "Result of the last step.");
-  define<const PyFinger&>(type, "def margin(self) -> float", &SoftFinger::margin, "Distance to slip, from 1 (no friction) to 0 (slips).");
+  define<const PyFinger&>(type, "def margin(self) -> float", &SoftFinger::margin,
+                          "Distance to slip, from 1 (no friction) to 0 (slips).");
   define<const PyFinger&>(type, "def load_to_hold(self) -> float", &SoftFinger::load_to_hold,
                           "The least `load` of the output [N] that would hold the present friction.");
-  define<const PyFinger&>(type, "def centre_of_rotation(self) -> numpy.typing.NDArray[numpy.float64]", &SoftFinger::centre_of_rotation,
+  define<const PyFinger&>(type, "def centre_of_rotation(self) -> numpy.typing.NDArray[numpy.float64]",
+                          &SoftFinger::centre_of_rotation,
                           "Centre of rotation of the slip [m]; inf for pure sliding, NaN unless it slips.");
-  define<const PyFinger&>(type, "def spring_energy(self) -> float", &SoftFinger::spring_energy, "Energy of the springs [J].");
+  define<const PyFinger&>(type, "def spring_energy(self) -> float", &SoftFinger::spring_energy,
+                          "Energy of the springs [J].");
   define<const PyFinger&>(
-      type, "def copy(self) -> SoftFinger", [](const PyFinger& self) { return self; }, "Another finger in the same state.");
+      type, "def copy(self) -> SoftFinger", [](const PyFinger& self) { return self; },
+      "Another finger in the same state.");
 }
 
 struct PyMemory {
@@ -256,23 +289,28 @@ void add_friction(nb::module_& module) {
   nb::class_<PyMemory> memory_type(module, "FrictionMemory", "State of a contact's friction between two steps.");
   pickle_plainly<PyMemory>(memory_type);
   define<PyMemory*>(
-      memory_type, "def __init__(self) -> None", [](PyMemory* self) { new (self) PyMemory(); }, "Of a contact at rest.");
+      memory_type, "def __init__(self) -> None", [](PyMemory* self) { new (self) PyMemory(); },
+      "Of a contact at rest.");
   memory_type
       .def_prop_ro(
           "force_slides", [](const PyMemory& self) { return self.memory.force_slides; },
           "whether the sliding limit acts; on a box, that of the force")
       .def_prop_ro(
-          "moment_slides", [](const PyMemory& self) { return self.memory.moment_slides; }, "on a box, whether that of the moment acts");
+          "moment_slides", [](const PyMemory& self) { return self.memory.moment_slides; },
+          "on a box, whether that of the moment acts");
   nb::class_<FrictionResult<double>> result_type(module, "FrictionResult", "Effect of friction on a trial wrench.");
   pickle_plainly<FrictionResult<double>>(result_type);
   result_type.def_ro("slips", &FrictionResult<double>::slips, "in this step")
-      .def_ro("force_fraction", &FrictionResult<double>::force_fraction, "what the limit leaves of the trial's force, in [0, 1]")
+      .def_ro("force_fraction", &FrictionResult<double>::force_fraction,
+              "what the limit leaves of the trial's force, in [0, 1]")
       .def_ro("moment_fraction", &FrictionResult<double>::moment_fraction, "likewise")
       .def_ro("cor", &FrictionResult<double>::cor, "of the slip [m], inf for pure sliding; NaN where it sticks");
   define_static(
       module,
-      "def apply_friction(curve: Table | Curve, force: float, moment: float, *, limit: float, radius: float, stiffness_ratio: float, "
-      "sliding_limit: float | None = None, sliding_radius: float | None = None, force_stick_fraction: float = 1.0, moment_stick_fraction: "
+      "def apply_friction(curve: Table | Curve, force: float, moment: float, *, limit: float, radius: float, "
+      "stiffness_ratio: float, "
+      "sliding_limit: float | None = None, sliding_radius: float | None = None, force_stick_fraction: float = 1.0, "
+      "moment_stick_fraction: "
       "float = 1.0, memory: FrictionMemory | None = None, projection: str = 'closest-point') -> FrictionResult",
       [](const BoundArguments& given) {
         const double force = number_of(given[1], "force");
@@ -300,20 +338,28 @@ void add_friction(nb::module_& module) {
         require(finite(stiffness_ratio) && stiffness_ratio > 0.0, "stiffness_ratio", stiffness_ratio, "(0, inf)");
         require(finite(sliding_force) && sliding_force <= limit, "sliding_limit", sliding_force, "[0, limit]");
         // The moments of a finger are products of rounded numbers.
-        require(finite(radius_of_slip) && sliding_force * radius_of_slip <= limit * radius * (1.0 + 1e-12), "sliding_radius",
-                radius_of_slip, "[0, limit/sliding_limit*radius]");
-        require(force_stick_fraction >= 0.0 && force_stick_fraction <= 1.0, "force_stick_fraction", force_stick_fraction, "[0, 1]");
-        require(moment_stick_fraction >= 0.0 && moment_stick_fraction <= 1.0, "moment_stick_fraction", moment_stick_fraction, "[0, 1]");
+        require(finite(radius_of_slip) && sliding_force * radius_of_slip <= limit * radius * (1.0 + 1e-12),
+                "sliding_radius", radius_of_slip, "[0, limit/sliding_limit*radius]");
+        require(force_stick_fraction >= 0.0 && force_stick_fraction <= 1.0, "force_stick_fraction",
+                force_stick_fraction, "[0, 1]");
+        require(moment_stick_fraction >= 0.0 && moment_stick_fraction <= 1.0, "moment_stick_fraction",
+                moment_stick_fraction, "[0, 1]");
         const FingerCurve on = curve_of<double>(given[0]);
         check_projection(on, way);
-        const FrictionLimits<double> limits{
-            {limit, radius}, {sliding_force, radius_of_slip}, stiffness_ratio, force_stick_fraction, moment_stick_fraction};
+        const FrictionLimits<double> limits{{limit, radius},
+                                            {sliding_force, radius_of_slip},
+                                            stiffness_ratio,
+                                            force_stick_fraction,
+                                            moment_stick_fraction};
         return apply_friction(on.view(), way, limits, FrictionTrial<double>{force, moment}, memory->memory);
       },
-      "The fraction of a trial force [N] and moment [N m], of any sign, within the friction limit: for simulators with springs of\n"
+      "The fraction of a trial force [N] and moment [N m], of any sign, within the friction limit: for simulators with "
+      "springs of\n"
       "their own.\n\n"
-      "limit is mu P [N], radius is a [m], stiffness_ratio is k_l/k_r of the springs [1/m^2]. The `sliding_` limits act while the\n"
-      "contact slips; `memory` stores that. A sliding contact comes to rest within the sliding limit times the smaller of the two rest\n"
+      "limit is mu P [N], radius is a [m], stiffness_ratio is k_l/k_r of the springs [1/m^2]. The `sliding_` limits "
+      "act while the\n"
+      "contact slips; `memory` stores that. A sliding contact comes to rest within the sliding limit times the smaller "
+      "of the two rest\n"
       "shares; on a box force and moment each have their own. The projection 'c-curve' is radial here.\n\n"
       ">>> import limitcurve as lc\n"
       ">>> table = lc.Table('hertz')\n"

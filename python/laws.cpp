@@ -47,26 +47,28 @@ PyLaw of_function(nb::handle pressure) {
       rows.push_back({radius, number_of(pressure(radius), "pressure")});
     } catch (nb::python_error& error) {
       if (!error.matches(PyExc_ArithmeticError)) throw;
-      throw std::invalid_argument("pressure at radius " + format_number(radius) + ": " + text_of(nb::borrow(error.value())) +
-                                  ", expected a finite number");
+      throw std::invalid_argument("pressure at radius " + format_number(radius) + ": " +
+                                  text_of(nb::borrow(error.value())) + ", expected a finite number");
     }
   }
-  return of_samples(std::move(rows), "function", 1.0);  // the rim is named: there is no sensor whose noise could pass for it
+  return of_samples(std::move(rows), "function",
+                    1.0);  // the rim is named: there is no sensor whose noise could pass for it
 }
 
 }  // namespace
 
 void add_laws(nb::module_& module) {
-  nb::class_<PyLaw> type(module, "Law",
-                         "A pressure law under a soft finger, in the command line's grammar: 'hertz', 'power:n=2.3', 'samples:FILE.csv',\n"
-                         "'mix:0.7*hertz+0.3*uniform'.\n\n"
-                         ">>> import limitcurve as lc\n"
-                         ">>> law = lc.Law('hertz')\n"
-                         ">>> law.evaluate(float('inf'))\n"
-                         "(1.0, 0.0)\n"
-                         ">>> f, m = law.evaluate([0, 0.5, 1])\n"
-                         ">>> [round(float(x), 6) for x in f]\n"
-                         "[0.0, 0.552233, 0.883573]\n");
+  nb::class_<PyLaw> type(
+      module, "Law",
+      "A pressure law under a soft finger, in the command line's grammar: 'hertz', 'power:n=2.3', 'samples:FILE.csv',\n"
+      "'mix:0.7*hertz+0.3*uniform'.\n\n"
+      ">>> import limitcurve as lc\n"
+      ">>> law = lc.Law('hertz')\n"
+      ">>> law.evaluate(float('inf'))\n"
+      "(1.0, 0.0)\n"
+      ">>> f, m = law.evaluate([0, 0.5, 1])\n"
+      ">>> [round(float(x), 6) for x in f]\n"
+      "[0.0, 0.552233, 0.883573]\n");
   copies_are_itself(type);
   type.def("__getstate__",
            [](const PyLaw& self) {
@@ -82,7 +84,8 @@ void add_laws(nb::module_& module) {
            [](PyLaw& self, const std::tuple<std::string, std::vector<double>, std::vector<double>>& state) {
              const auto& [text, radius, pressure] = state;
              std::vector<PressureSample> rows;
-             for (std::size_t i = 0; i < std::min(radius.size(), pressure.size()); ++i) rows.push_back({radius[i], pressure[i]});
+             for (std::size_t i = 0; i < std::min(radius.size(), pressure.size()); ++i)
+               rows.push_back({radius[i], pressure[i]});
              Law law = cli::law_of(text, rows);
              new (&self) PyLaw{std::move(law), text, std::move(rows)};
            })
@@ -98,7 +101,8 @@ void add_laws(nb::module_& module) {
         warn(law->remarks());
         new (self) PyLaw{std::move(law), std::move(text), std::move(profile)};
       },
-      "From a text: ValueError names the error in it or in its file, and the expected input. From a function: its pressure [any unit] at\n"
+      "From a text: ValueError names the error in it or in its file, and the expected input. From a function: its "
+      "pressure [any unit] at\n"
       "radii from 0 to 1, the rim, at 5001 of them; to 1e-12 if it is smooth, and `profile_error` bounds the error.\n\n"
       ">>> import limitcurve as lc\n"
       ">>> law = lc.Law(lambda radius: (1 - radius**2) ** 0.5)\n"
@@ -106,48 +110,61 @@ void add_laws(nb::module_& module) {
       "True\n");
   define_static(
       type,
-      "def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays', rim: float | None = None) -> "
+      "def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays', rim: "
+      "float | None = None) -> "
       "Law",
       [](const BoundArguments& given) {
         const auto all = columns_of("", {"radius", "pressure"}, nb::list(nb::make_tuple(given[0], given[1])));
         std::vector<PressureSample> rows;
         for (std::size_t i = 0; i < all[0].size; ++i) rows.push_back({all[0].data[i], all[1].data[i]});
-        return of_samples(std::move(rows), string_of(given[2], "source", "arrays"), given[3].is_none() ? 0.0 : number_of(given[3], "rim"));
+        return of_samples(std::move(rows), string_of(given[2], "source", "arrays"),
+                          given[3].is_none() ? 0.0 : number_of(given[3], "rim"));
       },
-      "A measured profile: pressures [any unit] at increasing radii [any unit]. `rim` is the radius, in that unit, that the contact\n"
-      "radius stands for; without it the last radius with pressure. Negative pressures are noise, and tell its size. Warns of what was\n"
+      "A measured profile: pressures [any unit] at increasing radii [any unit]. `rim` is the radius, in that unit, "
+      "that the contact\n"
+      "radius stands for; without it the last radius with pressure. Negative pressures are noise, and tell its size. "
+      "Warns of what was\n"
       "done, and where the last radius is probably not the rim.");
   define<const PyLaw&>(
-      type, "def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False, method: str = 'auto') -> tuple[typing.Any, ...]",
+      type,
+      "def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False, method: str = 'auto') -> "
+      "tuple[typing.Any, ...]",
       [](const PyLaw& self, const BoundArguments& given) {
         const Method method = method_of(*self.law, string_of(given[2], "method", "auto"));
-        return truth_of(given[1]) ? evaluate_with_errors(self, given[0], method)
-                                  : of_cors<2>(given[0], [&](double s) { return components(self.law->evaluate(s, method).wrench); });
+        return truth_of(given[1])
+                   ? evaluate_with_errors(self, given[0], method)
+                   : of_cors<2>(given[0], [&](double s) { return components(self.law->evaluate(s, method).wrench); });
       },
       "Unit wrenches F/(mu P) and M/(mu P a) of a slip about centres of rotation at |c| contact radii.\n\n"
-      "The results have the shape of c; float32 gives float32; NaN gives NaN. With `error` also bounds of both absolute\n"
-      "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. `method`: auto, or one of\n"
+      "The results have the shape of c; float32 gives float32; NaN gives NaN. With `error` also bounds of both "
+      "absolute\n"
+      "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. `method`: "
+      "auto, or one of\n"
       "closed, ring, punch, direct and boost that the law has. Arrays release the GIL.");
   type.def_prop_ro(
-          "moment_ratio", [](const PyLaw& self) { return self.law->moment_ratio(); }, "m0, the unit moment of a pure twist.")
+          "moment_ratio", [](const PyLaw& self) { return self.law->moment_ratio(); },
+          "m0, the unit moment of a pure twist.")
       .def_prop_ro(
           "profile_error", [](const PyLaw& self) { return self.law->profile_error(); },
           "Error of f and m because the pressure is known only at samples; 0 for a formula.")
       .def_prop_ro(
           "rim", [](const PyLaw& self) { return self.law->rim(); },
-          "Radius of a measured profile, in the unit of its samples, that the contact radius stands for; 0 for a formula.")
+          "Radius of a measured profile, in the unit of its samples, that the contact radius stands for; 0 for a "
+          "formula.")
       .def_prop_ro(
           "arrays",
           [](nb::handle self) -> nb::object {
             const auto& profile = nb::cast<const PyLaw&>(self).profile;
             if (profile.empty()) return nb::none();
             const auto column = [&](const double& first) {
-              return nb::ndarray<nb::numpy, const double>(&first, {profile.size()}, self, {sizeof(PressureSample) / sizeof(double)});
+              return nb::ndarray<nb::numpy, const double>(&first, {profile.size()}, self,
+                                                          {sizeof(PressureSample) / sizeof(double)});
             };
             return nb::make_tuple(column(profile.front().radius), column(profile.front().pressure));
           },
           nb::sig("def arrays(self) -> typing.Any"),
-          "(radius, pressure) of a measured profile, read-only, from arrays or as read from its file; None for other laws.")
+          "(radius, pressure) of a measured profile, read-only, from arrays or as read from its file; None for other "
+          "laws.")
       .def("__repr__", [](const PyLaw& self) { return "Law('" + self.text + "')"; });
 }
 

@@ -43,7 +43,8 @@ Parameters::Parameters(std::string_view signature) {
       by_keyword_only = true;
     } else if (item != "self" && !item.empty()) {
       const std::string name(item.substr(0, item.find(':')));
-      all_.push_back({name, PyUnicode_InternFromString(name.c_str()), item.find(" = ") == std::string_view::npos, by_keyword_only});
+      all_.push_back({name, PyUnicode_InternFromString(name.c_str()), item.find(" = ") == std::string_view::npos,
+                      by_keyword_only});
     }
   }
 }
@@ -62,7 +63,8 @@ void Parameters::refuse_unknown(const std::string& name) const {
   refuse("unknown parameter '" + name + "'" + (meant.empty() ? "" : " (" + meant.substr(2) + ")"));
 }
 
-BoundArguments Parameters::bind(const nb::args& positional, const nb::kwargs& keywords, std::size_t first, bool has_self) const {
+BoundArguments Parameters::bind(const nb::args& positional, const nb::kwargs& keywords, std::size_t first,
+                                bool has_self) const {
   BoundArguments given(all_.size(), keywords);
   std::size_t next = 0;
   for (std::size_t i = first; i < positional.size(); ++i) {

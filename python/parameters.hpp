@@ -20,7 +20,8 @@ struct BoundArguments : std::vector<nb::object> {
   nb::kwargs by_name;  ///< what was given by keyword
 };
 
-/// The parameters of a function, by its signature in Python, such as "def gauge(self, force: float, *, mu: float = 1.0) -> float".
+/// The parameters of a function, by its signature in Python, such as "def gauge(self, force: float, *, mu: float = 1.0)
+/// -> float".
 class Parameters {
  public:
   explicit Parameters(std::string_view signature);

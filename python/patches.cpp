@@ -41,8 +41,8 @@ nb::object wrench(const PyPatch& patch, const BoundArguments& given) {
     const double limit = mu * load;
     for_each_point(all.size / 3, [&](std::size_t i) {
       const Real* const twist = all.data + 3 * i;
-      const PatchFriction friction =
-          patch.about_origin({static_cast<double>(twist[0]), static_cast<double>(twist[1]), static_cast<double>(twist[2])});
+      const PatchFriction friction = patch.about_origin(
+          {static_cast<double>(twist[0]), static_cast<double>(twist[1]), static_cast<double>(twist[2])});
       wrenches.data[3 * i] = static_cast<Real>(limit * friction.wrench.fx);
       wrenches.data[3 * i + 1] = static_cast<Real>(limit * friction.wrench.fy);
       wrenches.data[3 * i + 2] = static_cast<Real>(limit * friction.wrench.moment);
@@ -56,7 +56,8 @@ nb::object wrench(const PyPatch& patch, const BoundArguments& given) {
 
 nb::object loads_to_hold_patch(const PyPatch& patch, const BoundArguments& given) {
   return of_numbers<1, 16, 4>({given[0], given[1], given[2], given[3]}, {"fx", "fy", "moment", "mu"},
-                              {ranges::finite, ranges::finite, ranges::finite, ranges::non_negative}, [&](const std::array<double, 4>& of) {
+                              {ranges::finite, ranges::finite, ranges::finite, ranges::non_negative},
+                              [&](const std::array<double, 4>& of) {
                                 return std::array{load_to_hold(patch, of[3], {of[0], of[1], of[2]})};
                               });
 }
@@ -69,11 +70,12 @@ PyPatch asked(cli::PatchArgument argument) {
 }
 
 nb::object slips(const PyPatch& patch, const BoundArguments& given) {
-  const nb::object twists = of_numbers<3, 16, 3>({given[0], given[1], given[2]}, {"fx", "fy", "moment"}, {any, any, any},
-                                                 [&](const std::array<double, 3>& wrench) {
-                                                   const PatchTwist twist = patch.slip({wrench[0], wrench[1], wrench[2]}).twist;
-                                                   return std::array{twist.vx, twist.vy, twist.omega};
-                                                 });
+  const nb::object twists =
+      of_numbers<3, 16, 3>({given[0], given[1], given[2]}, {"fx", "fy", "moment"}, {any, any, any},
+                           [&](const std::array<double, 3>& wrench) {
+                             const PatchTwist twist = patch.slip({wrench[0], wrench[1], wrench[2]}).twist;
+                             return std::array{twist.vx, twist.vy, twist.omega};
+                           });
   return numpy("stack")(twists, -1);
 }
 
@@ -114,13 +116,19 @@ PyPatch image(const BoundArguments& given) {
     throw std::invalid_argument("spacing: got " + shown(given[2]) + ", expected (dy, dx)");
   if (!pixel.is_none()) spacing = {number_of(pixel, "pixel"), number_of(pixel, "pixel")};
   const bool has_mask = is_masked(pressures);
-  const Numbers<double> all = numbers_of<double>(has_mask ? pressures.attr("filled")(0.0) : nb::borrow(pressures), "pressures");
+  const Numbers<double> all =
+      numbers_of<double>(has_mask ? pressures.attr("filled")(0.0) : nb::borrow(pressures), "pressures");
   const nb::tuple shape = all.array.attr("shape");
-  if (nb::len(shape) != 2) throw std::invalid_argument("pressures: got the shape " + text_of(shape) + ", expected two dimensions");
+  if (nb::len(shape) != 2)
+    throw std::invalid_argument("pressures: got the shape " + text_of(shape) + ", expected two dimensions");
   const auto [dy, dx] = spacing;
-  cli::PatchArgument made{
-      .kind = "image", .numbers = {all.data, all.data + all.size}, .columns = nb::cast<std::size_t>(shape[1]), .x = dx, .y = dy};
-  if (has_mask) made.without_sensor = nb::cast<std::size_t>(nb::module_::import_("numpy.ma").attr("count_masked")(pressures));
+  cli::PatchArgument made{.kind = "image",
+                          .numbers = {all.data, all.data + all.size},
+                          .columns = nb::cast<std::size_t>(shape[1]),
+                          .x = dx,
+                          .y = dy};
+  if (has_mask)
+    made.without_sensor = nb::cast<std::size_t>(nb::module_::import_("numpy.ma").attr("count_masked")(pressures));
   for (double& pressure : made.numbers) {
     if (!std::isnan(pressure)) continue;
     pressure = 0.0;
@@ -130,8 +138,8 @@ PyPatch image(const BoundArguments& given) {
   return asked(std::move(made));
 }
 
-using PatchState = std::tuple<std::string, std::string, std::vector<double>, std::size_t, std::vector<double>, std::string,
-                              std::vector<double>, std::vector<std::pair<double, double>>>;
+using PatchState = std::tuple<std::string, std::string, std::vector<double>, std::size_t, std::vector<double>,
+                              std::string, std::vector<double>, std::vector<std::pair<double, double>>>;
 
 PatchState state_of(const PyPatch& self) {
   const cli::PatchArgument& made = self.made_of;
@@ -163,8 +171,9 @@ PyPatch patch_of(const PatchState& state) {
 }  // namespace
 
 std::string PyPatch::words() const {
-  std::string text =
-      made_of.text.empty() ? made_of.kind + " of " + std::to_string(made_of.numbers.size() / made_of.columns) + " rows" : made_of.text;
+  std::string text = made_of.text.empty()
+                         ? made_of.kind + " of " + std::to_string(made_of.numbers.size() / made_of.columns) + " rows"
+                         : made_of.text;
   for (const auto& [mx, my] : multiplied_by) text += ",mx=" + format_number(mx) + ",my=" + format_number(my);
   return text;
 }
@@ -173,7 +182,8 @@ void add_patches(nb::module_& module) {
   nb::class_<PyPatch> type(
       module, "Patch",
       "A contact of any shape, in the command line's grammar ('points:FILE.csv', 'polygon:FILE.csv',\n"
-      "'rectangle:x=0.02,y=0.01', 'ellipse:law=hertz,a=0.004,b=0.002', 'image:FILE.csv,pixel=0.0005', each with ',mx=…,my=…'), or\n"
+      "'rectangle:x=0.02,y=0.01', 'ellipse:law=hertz,a=0.004,b=0.002', 'image:FILE.csv,pixel=0.0005', each with "
+      "',mx=…,my=…'), or\n"
       "from arrays. Lengths in metres.\n\n"
       ">>> import limitcurve as lc\n"
       ">>> patch = lc.Patch('rectangle:x=0.02,y=0.01')\n"
@@ -185,11 +195,15 @@ void add_patches(nb::module_& module) {
   });
   define<PyPatch*>(
       type, "def __init__(self, text: str) -> None",
-      [](PyPatch* self, const BoundArguments& given) { new (self) PyPatch(asked(cli::parse_patch(string_of(given[0], "text")))); },
+      [](PyPatch* self, const BoundArguments& given) {
+        new (self) PyPatch(asked(cli::parse_patch(string_of(given[0], "text"))));
+      },
       "ValueError names the error in the text or in the file, and the expected input.");
   define_static(
       type, "def rectangle(x: float, y: float) -> Patch",
-      [](const BoundArguments& given) { return PyPatch(cli::parse_patch("rectangle:" + sides(given[0], "x", given[1], "y"))); },
+      [](const BoundArguments& given) {
+        return PyPatch(cli::parse_patch("rectangle:" + sides(given[0], "x", given[1], "y")));
+      },
       "Uniform pressure on a rectangle with these sides [m].");
   define_static(
       type, "def ellipse(law: str | Law, a: float, b: float) -> Patch",
@@ -218,45 +232,61 @@ void add_patches(nb::module_& module) {
         return of_columns("polygon", {"x", "y"}, nb::list(nb::make_tuple(given[0], given[1])));
       },
       "Uniform pressure on a simple polygon [m].");
-  define_static(
-      type,
-      "def image(pressures: numpy.typing.ArrayLike, pixel: float | None = None, *, spacing: tuple[float, float] | None = None,"
-      " floor: float | None = None) -> Patch",
-      &image,
-      "A pressure image; the first row is at the largest y; pixels are squares of side `pixel` [m], or rectangles with the `spacing`\n"
-      "(dy, dx) of rows and columns; the origin is the centre of pressure. A pixel that is masked or NaN has no sensor: it counts as\n"
-      "without pressure, with a warning. Negative pressures are noise, and tell up to which pressure all count as 0; `floor` says it.");
+  define_static(type,
+                "def image(pressures: numpy.typing.ArrayLike, pixel: float | None = None, *, spacing: tuple[float, "
+                "float] | None = None,"
+                " floor: float | None = None) -> Patch",
+                &image,
+                "A pressure image; the first row is at the largest y; pixels are squares of side `pixel` [m], or "
+                "rectangles with the `spacing`\n"
+                "(dy, dx) of rows and columns; the origin is the centre of pressure. A pixel that is masked or NaN has "
+                "no sensor: it counts as\n"
+                "without pressure, with a warning. Negative pressures are noise, and tell up to which pressure all "
+                "count as 0; `floor` says it.");
   define<const PyPatch&>(
       type, "def orthotropic(self, mx: float, my: float) -> Patch",
       [](const PyPatch& self, const BoundArguments& given) {
         return self.orthotropic(number_of(given[0], "mx"), number_of(given[1], "my"));
       },
       "The same patch with orthotropic friction: mu times mx along x and times my along y.");
+  define<const PyPatch&>(type,
+                         "def wrench(self, twists: numpy.typing.ArrayLike, mu: float = 1.0, load: float = 1.0, *, "
+                         "error: bool = False) -> typing.Any",
+                         &wrench,
+                         "The wrenches (fx, fy, moment) [N, N m] about the origin that keep the patch sliding with "
+                         "twists (vx, vy, omega) [m/s, rad/s].\n\n"
+                         "Shape (…, 3) in and out. With `error` also the powers [W], and a bound of the largest of the "
+                         "power's relative error,\n"
+                         "|dF|/(mu P) and |dM|/(mu P m0). Releases the GIL.");
+  define<const PyPatch&>(type,
+                         "def load_to_hold(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: "
+                         "numpy.typing.ArrayLike, *, mu: "
+                         "numpy.typing.ArrayLike) -> typing.Any",
+                         &loads_to_hold_patch,
+                         "The least loads [N], of all points together, that hold friction wrenches [N, N m] about the "
+                         "origin, broadcast against each\n"
+                         "other and mu; inf if no load does. Releases the GIL.");
+  define<const PyPatch&>(type,
+                         "def slip(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: "
+                         "numpy.typing.ArrayLike) -> typing.Any",
+                         &slips,
+                         "The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under "
+                         "friction wrenches [N, N m], broadcast\n"
+                         "against each other: shape (…, 3). They have power 1 W against the wrench; NaN for wrench 0, "
+                         "and where no load holds. Releases the\n"
+                         "GIL.");
   define<const PyPatch&>(
-      type, "def wrench(self, twists: numpy.typing.ArrayLike, mu: float = 1.0, load: float = 1.0, *, error: bool = False) -> typing.Any",
-      &wrench,
-      "The wrenches (fx, fy, moment) [N, N m] about the origin that keep the patch sliding with twists (vx, vy, omega) [m/s, rad/s].\n\n"
-      "Shape (…, 3) in and out. With `error` also the powers [W], and a bound of the largest of the power's relative error,\n"
-      "|dF|/(mu P) and |dM|/(mu P m0). Releases the GIL.");
-  define<const PyPatch&>(
-      type,
-      "def load_to_hold(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: "
-      "numpy.typing.ArrayLike) -> typing.Any",
-      &loads_to_hold_patch,
-      "The least loads [N], of all points together, that hold friction wrenches [N, N m] about the origin, broadcast against each\n"
-      "other and mu; inf if no load does. Releases the GIL.");
-  define<const PyPatch&>(
-      type, "def slip(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any", &slips,
-      "The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under friction wrenches [N, N m], broadcast\n"
-      "against each other: shape (…, 3). They have power 1 W against the wrench; NaN for wrench 0, and where no load holds. Releases the\n"
-      "GIL.");
-  define<const PyPatch&>(type, "def half_spaces(self, rows: int = 32) -> tuple[typing.Any, typing.Any, float]", &half_spaces_of,
-                         "Friction for a planner: A of shape (n, 3), V of shape (v, 3) and their share, inside the limit surface. A @ (fx, "
-                         "fy, moment) <= mu N\n"
-                         "holds, about the origin; so does V.T @ x with x >= 0 and sum(x) <= mu N. n is the largest of 8, 14, 32, 62, 128 "
-                         "that fits in `rows`.\n"
-                         "The share is the polytope's radius over the limit surface's, in the worst direction.");
-  type.def("__repr__", [](const PyPatch& self) { return "<Patch " + self.words() + ", m0 " + format_number(self.moment_ratio()) + " m>"; })
+      type, "def half_spaces(self, rows: int = 32) -> tuple[typing.Any, typing.Any, float]", &half_spaces_of,
+      "Friction for a planner: A of shape (n, 3), V of shape (v, 3) and their share, inside the limit surface. A @ "
+      "(fx, "
+      "fy, moment) <= mu N\n"
+      "holds, about the origin; so does V.T @ x with x >= 0 and sum(x) <= mu N. n is the largest of 8, 14, 32, 62, 128 "
+      "that fits in `rows`.\n"
+      "The share is the polytope's radius over the limit surface's, in the worst direction.");
+  type.def("__repr__",
+           [](const PyPatch& self) {
+             return "<Patch " + self.words() + ", m0 " + format_number(self.moment_ratio()) + " m>";
+           })
       .def_prop_ro("moment_ratio", &Patch::moment_ratio, "m0: the moment of a pure spin over mu P [m].")
       .def_prop_ro("radius", &Patch::radius, "Largest distance of a point from the centre of pressure [m].")
       .def_prop_ro(

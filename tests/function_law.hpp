@@ -38,8 +38,8 @@ class FunctionLaw final : public PressureLawOf<FunctionLaw> {
 inline Law law_of_function(std::string name, std::function<Extended(Extended)> pressure, std::vector<Extended> breaks) {
   Extended load = 0;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    load += boost::math::quadrature::gauss_kronrod<Extended, 61>::integrate([&](Extended rho) { return 2 * rho * pressure(rho); },
-                                                                            breaks[i], breaks[i + 1], 15, Extended(1e-18L));
+    load += boost::math::quadrature::gauss_kronrod<Extended, 61>::integrate(
+        [&](Extended rho) { return 2 * rho * pressure(rho); }, breaks[i], breaks[i + 1], 15, Extended(1e-18L));
   }
   return std::make_shared<FunctionLaw>(
       std::move(name), [=](Extended rho) { return pressure(rho) / load; }, std::move(breaks));

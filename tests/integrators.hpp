@@ -15,10 +15,11 @@ enum class Integrator {
   symplectic_euler,  ///< position from the new velocity: loses the grip at kΔt²/m > 4, undamped
 };
 
-/// A body's velocities after a step [s] under a force [N] and a moment about the centre of mass [N m], world axes. Locked axes keep theirs: of the
-/// inertia only the free block is solved, since what locks an axis bears the moment about it.
-inline void accelerate(const BodyParameters& body, BodyState& state, const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
-                       double time_step) {
+/// A body's velocities after a step [s] under a force [N] and a moment about the centre of mass [N m], world axes.
+/// Locked axes keep theirs: of the inertia only the free block is solved, since what locks an axis bears the moment
+/// about it.
+inline void accelerate(const BodyParameters& body, BodyState& state, const Eigen::Vector3d& force,
+                       const Eigen::Vector3d& moment, double time_step) {
   const Eigen::Matrix3d axes = state.orientation.toRotationMatrix();
   Eigen::Matrix3d inertia = axes * body.inertia.asDiagonal() * axes.transpose();
   Eigen::Vector3d turning = moment - state.angular_velocity.cross(angular_momentum(body, state));

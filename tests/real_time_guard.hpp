@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a servo loop must not do, caught in the act: calls of the allocator and locks, counted, and calls of the system, caged. It defines
-// malloc and its kin and pthread_mutex_lock for the whole executable. Where it cannot (no glibc, or a sanitizer, which brings an allocator of
-// its own), LIMITCURVE_GUARDS_REAL_TIME is not defined, nor is anything else.
+// What a servo loop must not do, caught in the act: calls of the allocator and locks, counted, and calls of the system,
+// caged. It defines malloc and its kin and pthread_mutex_lock for the whole executable. Where it cannot (no glibc, or a
+// sanitizer, which brings an allocator of its own), LIMITCURVE_GUARDS_REAL_TIME is not defined, nor is anything else.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Tests that do a thing many times do it less often where every step is slow: in a build with LIMITCURVE_TESTS_SHORT, as those with a
-// sanitizer are. A sanitizer sees in a hundredth of the steps what it would see in all of them; the numbers are checked by the other
-// builds, which do everything.
+// Tests that do a thing many times do it less often where every step is slow: in a build with LIMITCURVE_TESTS_SHORT,
+// as those with a sanitizer are. A sanitizer sees in a hundredth of the steps what it would see in all of them; the
+// numbers are checked by the other builds, which do everything.
 #pragma once
 
 #include <algorithm>

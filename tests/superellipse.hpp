@@ -42,7 +42,8 @@ struct Superellipse {
     const double x = wrench.force / force_max;
     const double y = wrench.moment / moment_max;
     const double turn = 1.0 / ((exponent - 1.0) * slide * spin);
-    return {this->wrench(twist), {-wrench.force * std::pow(y, exponent) * turn, wrench.moment * std::pow(x, exponent) * turn}};
+    return {this->wrench(twist),
+            {-wrench.force * std::pow(y, exponent) * turn, wrench.moment * std::pow(x, exponent) * turn}};
   }
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
@@ -66,7 +67,9 @@ struct Superellipse {
 
  private:
   /// Of (1, ratio).
-  [[nodiscard]] double length_of(double ratio) const noexcept { return std::pow(1.0 + std::pow(ratio, exponent), 1.0 / exponent); }
+  [[nodiscard]] double length_of(double ratio) const noexcept {
+    return std::pow(1.0 + std::pow(ratio, exponent), 1.0 / exponent);
+  }
 };
 
 static_assert(LimitCurve<Superellipse>);

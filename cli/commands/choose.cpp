@@ -24,42 +24,60 @@ class Choose final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {
         "choose", "Finds the cheapest limit curve that is good enough, and lists the others",
-        "Columns: model and parameter as in validate (table: its tolerance; exact: nan); error, the largest of the radius on a ray in\n"
-        "the normalised plane: whether a contact holds; how it moves is a question for --scene. nanoseconds, the time to compute one\n"
+        "Columns: model and parameter as in validate (table: its tolerance; exact: nan); error, the largest of the "
+        "radius on a ray in\n"
+        "the normalised plane: whether a contact holds; how it moves is a question for --scene. nanoseconds, the time "
+        "to compute one\n"
         "wrench from its slip twist on one machine (compare ratios only); chosen, true for the cheapest model whose\n"
         "error is at most the tolerance. --explain gives the reasons on standard error.\n"
-        "With --patch instead of --law the contact is not round (see 'limitcurve patch'). Candidates are the disc with the least\n"
-        "largest error (parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 + m0^2 w^2) (parameter: m0)\n"
+        "With --patch instead of --law the contact is not round (see 'limitcurve patch'). Candidates are the disc with "
+        "the least\n"
+        "largest error (parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 + m0^2 w^2) "
+        "(parameter: m0)\n"
         "and the patch itself. error is the largest relative error of power over all sliding twists.\n"
-        "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or CURVE/PROJECTION, with the\n"
-        "contact radius of the mean load, or with the load-dependent radius if the name ends in '/a(P)'. Without --radius-law and\n"
-        "--mu-r a is 5 mm. error is the change of the rendered wrench as a fraction of the friction limits: twice the largest change\n"
-        "in a thousand slides and twists (in turn and together, with reversals and turns, within the rates, distances and loads of\n"
-        "the scene). nanoseconds is the time of a step of one finger that slips; a batch steps several contacts at once. Standard error\n"
-        "says whether the scene needs torsion, coupling, a load-dependent radius, the exact curve and the closest point, and gives\n"
-        "the replay options of the choice. Exit 1 if no step is within the tolerance. A note appears where k_r/k_l differs more than\n"
+        "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or CURVE/PROJECTION, "
+        "with the\n"
+        "contact radius of the mean load, or with the load-dependent radius if the name ends in '/a(P)'. Without "
+        "--radius-law and\n"
+        "--mu-r a is 5 mm. error is the change of the rendered wrench as a fraction of the friction limits: twice the "
+        "largest change\n"
+        "in a thousand slides and twists (in turn and together, with reversals and turns, within the rates, distances "
+        "and loads of\n"
+        "the scene). nanoseconds is the time of a step of one finger that slips; a batch steps several contacts at "
+        "once. Standard error\n"
+        "says whether the scene needs torsion, coupling, a load-dependent radius, the exact curve and the closest "
+        "point, and gives\n"
+        "the replay options of the choice. Exit 1 if no step is within the tolerance. A note appears where k_r/k_l "
+        "differs more than\n"
         "tenfold from (mu_r/mu_l)^2, the ratio that the radial projection assumes.",
-        "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 --twist-stiffness 0.036"};
+        "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 "
+        "--twist-stiffness 0.036"};
   }
 
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
     options.text("--patch", patch_, "PATCH", "Instead of --law: a pressure patch of any shape");
-    options.number("--tolerance", tolerance_, positive, "Largest error, relative (0.01 is 1 %), from 1e-10 to 1; with --scene from 1e-6",
+    options.number("--tolerance", tolerance_, positive,
+                   "Largest error, relative (0.01 is 1 %), from 1e-10 to 1; with --scene from 1e-6",
                    Presence::required);
     options.flag("--explain", explain_, "Give the reason for each candidate on standard error");
-    options.flag("--scene", scene_wanted_, "Choose the step of a scene: limit curve, projection, and whether torsion matters");
+    options.flag("--scene", scene_wanted_,
+                 "Choose the step of a scene: limit curve, projection, and whether torsion matters");
     options.number("--mu", mu_, positive, "Scene: coefficient of friction (default 0.5)");
     options.radius_law(radius_law_);
-    options.number("--mu-r", scene_.mu_r, positive, "Scene: mu_r [m]; the moment limit is mu_r P, instead of the radius law's");
-    options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)", Presence::optional);
+    options.number("--mu-r", scene_.mu_r, positive,
+                   "Scene: mu_r [m]; the moment limit is mu_r P, instead of the radius law's");
+    options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)",
+                    Presence::optional);
     options.number("--stiffness", stiffness_, positive, "Scene: k_l [N/m] (default 1000)");
     options.number("--twist-stiffness", twist_stiffness_, positive, "Scene: k_r [N m/rad] (default 0.025)");
     options.number("--sample-time", scene_.sample_time, positive, "Scene: sample time [s]");
     options.number("--slide-speed", scene_.slide_speed, non_negative, "Scene: largest sliding speed [m/s]");
     options.number("--twist-rate", scene_.twist_rate, non_negative, "Scene: largest rate of the twist [rad/s]");
-    options.number("--slide", slide_, non_negative, "Scene: largest distance from the point of first contact [m] (default: no limit)");
-    options.number("--twist", twist_, non_negative, "Scene: largest twist since first contact [rad] (default: no limit)");
+    options.number("--slide", slide_, non_negative,
+                   "Scene: largest distance from the point of first contact [m] (default: no limit)");
+    options.number("--twist", twist_, non_negative,
+                   "Scene: largest twist since first contact [rad] (default: no limit)");
   }
 
   void run(const Results& results) override {
@@ -86,7 +104,8 @@ class Choose final : public Subcommand {
     }
     if (!explain_) return;
     if (law_) {
-      results.messages->say("error: of the radius on a ray, which says whether a contact holds; how it moves is a question for --scene");
+      results.messages->say(
+          "error: of the radius on a ray, which says whether a contact holds; how it moves is a question for --scene");
     }
     results.messages->say("costs measured: " + std::string(shipped_costs::measured));
   }
@@ -110,7 +129,8 @@ class Choose final : public Subcommand {
     if (twist_) scene_.twist = *twist_;
     if (!loads_.empty()) {
       if (loads_.size() > 2)
-        throw std::invalid_argument("--loads: got " + std::to_string(loads_.size()) + " loads, expected the least and the largest");
+        throw std::invalid_argument("--loads: got " + std::to_string(loads_.size()) +
+                                    " loads, expected the least and the largest");
       scene_.least_load = loads_.front();
       scene_.most_load = loads_.back();
     }
@@ -118,7 +138,8 @@ class Choose final : public Subcommand {
     const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
     write(results, choice.candidates);
     for (const std::string& line : choice.verdict) {
-      if (!choice.chosen && line == choice.verdict.back()) throw std::runtime_error(line + "; expected a larger --tolerance");
+      if (!choice.chosen && line == choice.verdict.back())
+        throw std::runtime_error(line + "; expected a larger --tolerance");
       results.messages->say("limitcurve: " + line);
     }
     if (!radius_law_ && !scene_.mu_r) {
@@ -137,8 +158,8 @@ class Choose final : public Subcommand {
 
   /// The options of replay that the scene's own options do not set.
   [[nodiscard]] std::string how_to_replay(const godobject::ReplayOptions& step) const {
-    std::string text =
-        "replay it with --curve " + std::string(to_string(step.curve)) + " --projection " + std::string(to_string(step.projection));
+    std::string text = "replay it with --curve " + std::string(to_string(step.curve)) + " --projection " +
+                       std::string(to_string(step.projection));
     if (step.curve == godobject::CurveKind::table) text += " --tolerance " + format_number(step.tolerance, 6);
     if (!mu_) text += " --mu " + format_number(scene_.mu);
     if (!stiffness_) text += " --stiffness " + format_number(scene_.stiffness);

@@ -30,7 +30,8 @@ class Eval final : public Subcommand {
     options.number("--radius", radius_, positive, "Contact radius a [m] (default 1)");
     options.number("--load", load_, non_negative, "Normal load P [N]");
     options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]");
-    options.choice("--method", method_, {method_names().begin(), method_names().end()}, "Method that evaluates eq. (17)");
+    options.choice("--method", method_, {method_names().begin(), method_names().end()},
+                   "Method that evaluates eq. (17)");
   }
 
   void run(const Results& results) override {

@@ -28,25 +28,35 @@ const std::vector<std::string> load_models{"linear", "hertz", "power", "best"};
 class Fit final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"fit", "Fits a friction model to measured slips, or an approximation to the exact curve",
-            "Models, and the CSV columns that --data must have:\n"
-            "ellipse: the nearest ellipse, to slips load,force,moment[,sigma_force,sigma_moment] [N, N, N m] or, with --law and no data,\n"
-            "to the exact unit curve.\n"
-            "ratio: mu, mu_r and the contact radius that they imply under --law (default hertz), from slips; or, from published\n"
-            "ratio,ratio_sd[,n] of several materials (mean and standard deviation [m] of n measurements), their weighted mean and a test\n"
-            "whether one ratio explains them: chi_squared, degrees_of_freedom, p_value (the probability of more scatter). Without n:\n"
-            "chi_squared_per_n, and n_for_p_0.05, the n from which one ratio is rejected.\n"
-            "law: the same for --law, or for whichever law explains the slips best.\n"
-            "load: a(P) or mu_r(P) = c P^gamma, from load,radius[,sigma_radius] or load,moment[,sigma_moment].\n"
-            "friction: the coefficient of a contact that is not round (--patch, see 'limitcurve patch'), from pushes that slid:\n"
-            "force_x,force_y,moment,dx,dy,dtheta about the patch's origin [N, N m, m, rad]. mu is the mean of power over H; drift is the\n"
-            "slope of power over H against the rotation share |w| m0/sqrt(v^2 + w^2 m0^2), divided by the mean: 0 if the patch explains\n"
-            "the pushes. Direction errors bias mu low: 20 % cost 1 %. mu_ellipsoid and drift_ellipsoid use the ellipsoid\n"
-            "sqrt(v^2 + m0^2 w^2) instead of H.\n"
-            "Columns: parameter, value, std_error (empty without data: a curve has no noise), unit, note (model and assumptions).\n"
-            "Warnings go to standard error; its last line has the replay options and FingerParameters fields to use, unless the data\n"
-            "reject the model.",
-            "limitcurve fit ellipse --law hertz"};
+    return {
+        "fit", "Fits a friction model to measured slips, or an approximation to the exact curve",
+        "Models, and the CSV columns that --data must have:\n"
+        "ellipse: the nearest ellipse, to slips load,force,moment[,sigma_force,sigma_moment] [N, N, N m] or, with "
+        "--law and no data,\n"
+        "to the exact unit curve.\n"
+        "ratio: mu, mu_r and the contact radius that they imply under --law (default hertz), from slips; or, from "
+        "published\n"
+        "ratio,ratio_sd[,n] of several materials (mean and standard deviation [m] of n measurements), their weighted "
+        "mean and a test\n"
+        "whether one ratio explains them: chi_squared, degrees_of_freedom, p_value (the probability of more scatter). "
+        "Without n:\n"
+        "chi_squared_per_n, and n_for_p_0.05, the n from which one ratio is rejected.\n"
+        "law: the same for --law, or for whichever law explains the slips best.\n"
+        "load: a(P) or mu_r(P) = c P^gamma, from load,radius[,sigma_radius] or load,moment[,sigma_moment].\n"
+        "friction: the coefficient of a contact that is not round (--patch, see 'limitcurve patch'), from pushes that "
+        "slid:\n"
+        "force_x,force_y,moment,dx,dy,dtheta about the patch's origin [N, N m, m, rad]. mu is the mean of power over "
+        "H; drift is the\n"
+        "slope of power over H against the rotation share |w| m0/sqrt(v^2 + w^2 m0^2), divided by the mean: 0 if the "
+        "patch explains\n"
+        "the pushes. Direction errors bias mu low: 20 % cost 1 %. mu_ellipsoid and drift_ellipsoid use the ellipsoid\n"
+        "sqrt(v^2 + m0^2 w^2) instead of H.\n"
+        "Columns: parameter, value, std_error (empty without data: a curve has no noise), unit, note (model and "
+        "assumptions).\n"
+        "Warnings go to standard error; its last line has the replay options and FingerParameters fields to use, "
+        "unless the data\n"
+        "reject the model.",
+        "limitcurve fit ellipse --law hertz"};
   }
 
   void declare(Options& options) override {
@@ -65,7 +75,8 @@ class Fit final : public Subcommand {
     options.flag("--fit-gamma", settings_.fit_gamma, "Fit gamma to the data, too");
     options.flag("--covariance", covariance_, "With --data: add a column covariance_NAME for each parameter");
     options.flag("--residuals", residuals_,
-                 "Write, instead of the parameters, one column: by how many standard deviations each slip lies outside the fitted curve");
+                 "Write, instead of the parameters, one column: by how many standard deviations each slip lies outside "
+                 "the fitted curve");
     options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius above this [m]");
   }
 
@@ -78,7 +89,8 @@ class Fit final : public Subcommand {
     if (covariance_ && (data_.empty() || models[model_] == "friction"))
       throw std::invalid_argument("--covariance: only with --data, and not for fit friction");
     if (residuals_ && (data_.empty() || (models[model_] != "law" && models[model_] != "ellipse")))
-      throw std::invalid_argument("--residuals: only for a curve that is fitted to the slips of --data, got fit " + models[model_]);
+      throw std::invalid_argument("--residuals: only for a curve that is fitted to the slips of --data, got fit " +
+                                  models[model_]);
     tell_idle();
     if (models[model_] == "friction") {
       const fit::FrictionFit found = friction();
@@ -165,19 +177,23 @@ class Fit final : public Subcommand {
     ask("--gamma", settings_.gamma != 0.0, of_slips);
     ask("--fit-gamma", settings_.fit_gamma, of_slips);
     ask("--load-model", load_model_ != 2, model == "load");
-    ask("--largest-radius", settings_.largest_radius != fit::ContactFitOptions{}.largest_radius, of_slips && model != "ellipse");
+    ask("--largest-radius", settings_.largest_radius != fit::ContactFitOptions{}.largest_radius,
+        of_slips && model != "ellipse");
     if (!idle.empty()) say("warning", idle + ": without effect on fit " + model + (has_data ? "" : " without --data"));
   }
 
   /// A note or warning that the user must know before using the numbers.
-  void say(const char* kind, const std::string& text) const { messages_->say("limitcurve: " + std::string(kind) + ": " + text); }
+  void say(const char* kind, const std::string& text) const {
+    messages_->say("limitcurve: " + std::string(kind) + ": " + text);
+  }
 
   /// A radius above 0.1 m (c is the radius at 1 N) suggests data in millimetres.
   void warn_of_units(const fit::FitReport& report) const {
     constexpr double largest_radius = 0.1;
     for (const fit::Estimate& estimate : report.estimates) {
       if ((estimate.name != "radius" && estimate.name != "c") || !(estimate.value > largest_radius)) continue;
-      say("warning", estimate.name + " = " + format_number(estimate.value, 3) + " " + estimate.unit + ": are the data in metres?");
+      say("warning",
+          estimate.name + " = " + format_number(estimate.value, 3) + " " + estimate.unit + ": are the data in metres?");
     }
   }
 
@@ -209,7 +225,8 @@ class Fit final : public Subcommand {
     const bool follows_outliers = found.report.scatter_refused && loss_ == 0;
     if (models[model_] == "law" && (found.report.gamma_refused || follows_outliers)) {
       return say("note", std::string("no parameters suggested: the data reject this model; add") +
-                             (found.report.gamma_refused ? " --fit-gamma" : "") + (follows_outliers ? " --loss cauchy" : ""));
+                             (found.report.gamma_refused ? " --fit-gamma" : "") +
+                             (follows_outliers ? " --loss cauchy" : ""));
     }
     const double gamma = value("gamma", settings_.gamma);
     const std::string growth = format_number(gamma, digits);
@@ -248,7 +265,9 @@ class Fit final : public Subcommand {
   [[nodiscard]] static std::string law_of(const fit::ModelFit& found) {
     for (const fit::Estimate& estimate : found.report.estimates) {
       if (estimate.name == "n" || estimate.name == "k") {
-        return std::isfinite(estimate.value) ? found.model + ":" + estimate.name + "=" + format_number(estimate.value, digits) : "";
+        return std::isfinite(estimate.value)
+                   ? found.model + ":" + estimate.name + "=" + format_number(estimate.value, digits)
+                   : "";
       }
     }
     return found.report.estimates.front().name == "mu" ? found.model : "";
@@ -256,7 +275,8 @@ class Fit final : public Subcommand {
 
   [[nodiscard]] fit::ModelFit curve_fit() const {
     if (models[model_] != "ellipse") throw std::invalid_argument("--data is required to fit '" + models[model_] + "'");
-    if (law_ == nullptr) throw std::invalid_argument("--data or --law is required, to fit to measurements or to the exact curve");
+    if (law_ == nullptr)
+      throw std::invalid_argument("--data or --law is required, to fit to measurements or to the exact curve");
     return fit::fit_model(models[model_], law_, static_cast<fit::Criterion>(criterion_));
   }
 
@@ -264,7 +284,8 @@ class Fit final : public Subcommand {
     settings_.loss = loss_ == 0 ? fit::Loss::squared() : loss_ == 1 ? fit::Loss::huber() : fit::Loss::cauchy();
     if (models[model_] == "ratio") return ratio_fit();
     if (models[model_] == "law" && law_ == nullptr) return law_fit(asked(read_slip_samples(data_, file_columns_)));
-    if (models[model_] != "load") return fit::fit_model(models[model_], asked(read_slip_samples(data_, file_columns_)), law_, settings_);
+    if (models[model_] != "load")
+      return fit::fit_model(models[model_], asked(read_slip_samples(data_, file_columns_)), law_, settings_);
     return load_fit(read_load_samples(data_, file_columns_));
   }
 
@@ -282,15 +303,18 @@ class Fit final : public Subcommand {
 
   [[nodiscard]] fit::ModelFit ratio_fit() const {
     const auto data = read_ratio_data(data_, file_columns_);
-    if (const auto* slips = std::get_if<std::vector<fit::Sample>>(&data)) return fit::fit_model("ratio", asked(*slips), law_, settings_);
-    if (loss_ != 0) throw std::invalid_argument("--loss: published ratios are averaged, expected squared, got " + losses[loss_]);
+    if (const auto* slips = std::get_if<std::vector<fit::Sample>>(&data))
+      return fit::fit_model("ratio", asked(*slips), law_, settings_);
+    if (loss_ != 0)
+      throw std::invalid_argument("--loss: published ratios are averaged, expected squared, got " + losses[loss_]);
     return fit::fit_model("ratio", std::get<std::vector<fit::RatioSample>>(data), law_);
   }
 
   [[nodiscard]] fit::ModelFit law_fit(const std::vector<fit::Sample>& samples) const {
     fit::LawSelection selection = fit::select_law(samples, settings_);
     for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
-      say("note", selection.candidates[i].model + ": AICc " + format_number(selection.aic_difference[i], 3) + " above the best");
+      say("note", selection.candidates[i].model + ": AICc " + format_number(selection.aic_difference[i], 3) +
+                      " above the best");
     }
     fit::ContactFit& best = selection.candidates.front();
     return {best.model, std::move(best.report), std::nullopt, std::move(best.residuals)};
@@ -307,8 +331,8 @@ class Fit final : public Subcommand {
     }
     const fit::LoadSelection selection = fit::select_load(samples, settings_.loss);
     for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
-      say("note", std::string(fit::to_string(selection.candidates[i].model)) + ": AICc " + format_number(selection.aic_difference[i], 3) +
-                      " above the best");
+      say("note", std::string(fit::to_string(selection.candidates[i].model)) + ": AICc " +
+                      format_number(selection.aic_difference[i], 3) + " above the best");
     }
     if (wanted == "best") return {"load", selection.candidates.front().report, std::nullopt};
     return {"load", fit::fit_load(samples, fit::LoadModel::power, settings_.loss).report, std::nullopt};

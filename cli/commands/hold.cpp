@@ -35,15 +35,23 @@ class Hold final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {
         "hold", "How hard to grip: the smallest load that carries a force and a moment without slip",
-        "Describe the contact by --mu, --law, and --radius-law or --mu-r; describe what it must carry in one of three ways: --force and\n"
-        "--moment; --data with one force and moment per row; or --fingers 2 --mass M --offset L, an object held level beside its centre\n"
-        "of mass, of which each finger carries m g/2 and m g l/2, with hold_load as the grip of each. Signs do not matter.\n"
-        "Contacts that are not round: replace --law and --radius-law by --patch P (see 'limitcurve patch'). Then --force is FX,FY,\n"
-        "--data has fx,fy,moment, and the moment is about the patch's origin. With --mass gravity pulls along --down; the centre of\n"
+        "Describe the contact by --mu, --law, and --radius-law or --mu-r; describe what it must carry in one of three "
+        "ways: --force and\n"
+        "--moment; --data with one force and moment per row; or --fingers 2 --mass M --offset L, an object held level "
+        "beside its centre\n"
+        "of mass, of which each finger carries m g/2 and m g l/2, with hold_load as the grip of each. Signs do not "
+        "matter.\n"
+        "Contacts that are not round: replace --law and --radius-law by --patch P (see 'limitcurve patch'). Then "
+        "--force is FX,FY,\n"
+        "--data has fx,fy,moment, and the moment is about the patch's origin. With --mass gravity pulls along --down; "
+        "the centre of\n"
         "mass is --offset from the origin towards (-Y, X), by default positive x.\n"
-        "Columns: force,moment (with --patch fx,fy,moment) [N, N m]; hold_load [N], of a patch the total of its points, inf if no load\n"
-        "holds. If --data has a column load [N], also the margin at that load: 1 without friction, 0 on the limit and beyond, as in\n"
-        "'limitcurve replay --details'. If --law is measured, also hold_error [N]: an estimate of how far hold_load is off because\n"
+        "Columns: force,moment (with --patch fx,fy,moment) [N, N m]; hold_load [N], of a patch the total of its "
+        "points, inf if no load\n"
+        "holds. If --data has a column load [N], also the margin at that load: 1 without friction, 0 on the limit and "
+        "beyond, as in\n"
+        "'limitcurve replay --details'. If --law is measured, also hold_error [N]: an estimate of how far hold_load is "
+        "off because\n"
         "the pressure is known only at samples.",
         "limitcurve hold --law hertz --radius-law hertz:R=0.008,E=2e5 --mu 0.8 --fingers 2 --mass 0.2 --offset 0.02"};
   }
@@ -64,7 +72,8 @@ class Hold final : public Subcommand {
                   "Instead of --force and --moment: number of fingers that share an object's weight (default 2)");
     options.number("--mass", mass_, positive, "Mass of the object [kg]");
     options.number("--offset", offset_, finite, "Distance of its centre of mass from the grip, level [m]");
-    options.numbers("--down", down_, finite, "With --patch and --mass: direction of the weight, X,Y (default 0,-1)", Presence::optional);
+    options.numbers("--down", down_, finite, "With --patch and --mass: direction of the weight, X,Y (default 0,-1)",
+                    Presence::optional);
     options.number("--gravity", gravity_, non_negative, "Gravity [m/s^2]");
   }
 
@@ -73,18 +82,22 @@ class Hold final : public Subcommand {
     if (patch_.empty()) law_ = law_if_needed(law_, kind, torsion_.mu_r.has_value());
     if (patch_.empty() == (law_ == nullptr))
       throw std::invalid_argument("expected one of --law and --patch, or --curve ellipse or box with --mu-r");
-    const int given =
-        static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) + static_cast<int>(fingers_ || mass_ || offset_);
-    if (given != 1) throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
+    const int given = static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) +
+                      static_cast<int>(fingers_ || mass_ || offset_);
+    if (given != 1)
+      throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
     columns_.messages = results.messages;
     if (data_.empty() && !columns_.names.empty()) throw std::invalid_argument("--columns: goes with --data");
     if (data_.empty() && columns_.least_load) throw std::invalid_argument("--least-load: goes with --data");
-    if (mass_ && columns_.given()) throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
-    if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down: goes with --patch and --mass");
+    if (mass_ && columns_.given())
+      throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
+    if (!down_.empty() && (patch_.empty() || !mass_))
+      throw std::invalid_argument("--down: goes with --patch and --mass");
     if (patch_.empty()) {
       torsion_.check(law_, *results.messages);
       // Without friction no radius matters, and measured moments give none.
-      const ContactFriction contact = mu_ > 0.0 ? torsion_.with(mu_, law_) : ContactFriction{0.0, RadiusLaw::constant(1e-3)};
+      const ContactFriction contact =
+          mu_ > 0.0 ? torsion_.with(mu_, law_) : ContactFriction{0.0, RadiusLaw::constant(1e-3)};
       if (kind == godobject::CurveKind::exact) {
         hold_round(results, ExactCurve(law_), contact, kind);
       } else {
@@ -94,7 +107,8 @@ class Hold final : public Subcommand {
       return;
     }
     if (torsion_.given())
-      throw std::invalid_argument("--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
+      throw std::invalid_argument(
+          "--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
     if (curve_) throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
     const Patch patch = read_patch(patch_, *results.messages);
     const auto least = [&](const Need& need) { return load_to_hold(patch, mu_, {need.fx, need.fy, need.moment}); };
@@ -104,12 +118,15 @@ class Hold final : public Subcommand {
 
  private:
   template <class Curve>
-  void hold_round(const Results& results, const Curve& curve, const ContactFriction& contact, godobject::CurveKind kind) {
+  void hold_round(const Results& results, const Curve& curve, const ContactFriction& contact,
+                  godobject::CurveKind kind) {
     const RadiusLaw radius_law = contact.radius(curve.moment_ratio());
     const bool is_closed = kind == godobject::CurveKind::ellipse || kind == godobject::CurveKind::box;
     std::function<double(const Need&, double)> error;
     if (law_->profile_error() > 0.0) {
-      error = [&](const Need& need, double load) { return hold_error(curve, *law_, contact, load, need.fx, need.moment, is_closed); };
+      error = [&](const Need& need, double load) {
+        return hold_error(curve, *law_, contact, load, need.fx, need.moment, is_closed);
+      };
     }
     // By quadrature a row costs up to some ms, a table up to some seconds.
     constexpr std::size_t rows_of_a_table = 500;
@@ -120,21 +137,24 @@ class Hold final : public Subcommand {
         results,
         [&](const Need& need) {
           if (may_be_slow && ++rows == rows_of_a_table) table = godobject::finest_table(law_, 1e-11);
-          return table ? load_to_hold(*table, contact, need.fx, need.moment) : load_to_hold(curve, contact, need.fx, need.moment);
+          return table ? load_to_hold(*table, contact, need.fx, need.moment)
+                       : load_to_hold(curve, contact, need.fx, need.moment);
         },
         [&](const Need& need, double load) {
           const double limit = mu_ * load;
-          const UnitWrench wrench{std::fabs(need.fx) / limit, std::fabs(need.moment) / (limit * radius_law.radius(load))};
+          const UnitWrench wrench{std::fabs(need.fx) / limit,
+                                  std::fabs(need.moment) / (limit * radius_law.radius(load))};
           return table ? table->gauge(wrench) : curve.gauge(wrench);
         },
         error);
     if (loads_[1] > 0.0) questions_.radii(radius_law, loads_);
   }
 
-  /// `least(need)` is the load that holds, `gauge(need, load)` the fraction of the limit at a load, `error(need, load)` the error of the load
-  /// that holds, if the law is measured.
+  /// `least(need)` is the load that holds, `gauge(need, load)` the fraction of the limit at a load, `error(need, load)`
+  /// the error of the load that holds, if the law is measured.
   void write(const Results& results, const std::function<double(const Need&)>& least,
-             const std::function<double(const Need&, double)>& gauge, const std::function<double(const Need&, double)>& error) {
+             const std::function<double(const Need&, double)>& gauge,
+             const std::function<double(const Need&, double)>& error) {
     const bool is_round = patch_.empty();
     std::vector<std::string> columns =
         is_round ? std::vector<std::string>{"force", "moment"} : std::vector<std::string>{"fx", "fy", "moment"};

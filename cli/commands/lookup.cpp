@@ -10,14 +10,16 @@ class Lookup final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"lookup", "Evaluates a table that 'limitcurve table' wrote",
-            "Columns: c in contact radii; force in units of mu P; moment in units of mu P a. A table that is truncated, edited or in\n"
+            "Columns: c in contact radii; force in units of mu P; moment in units of mu P a. A table that is "
+            "truncated, edited or in\n"
             "another format is refused.",
             "limitcurve lookup --table hertz.csv --c 0,0.5,1,inf"};
   }
 
   void declare(Options& options) override {
     options.text("--table", file_, "FILE", "Table, .csv or .json", Presence::required);
-    options.numbers("--c", distances_, signed_distance, "Distances of the centre of rotation from the contact centre, in contact radii");
+    options.numbers("--c", distances_, signed_distance,
+                    "Distances of the centre of rotation from the contact centre, in contact radii");
   }
 
   void run(const Results& results) override {

@@ -14,7 +14,8 @@
 
 namespace limitcurve::cli {
 
-void Options::text(const std::string& name, std::string& value, const std::string& kind, const std::string& help, Presence presence) {
+void Options::text(const std::string& name, std::string& value, const std::string& kind, const std::string& help,
+                   Presence presence) {
   this->value(
       name, kind,
       [&value](const std::string& text) {
@@ -25,39 +26,49 @@ void Options::text(const std::string& name, std::string& value, const std::strin
 }
 
 void Options::number(const std::string& name, double& value, Range range, const std::string& help, Presence presence) {
-  const std::string standard = std::isnan(value) || presence == Presence::required ? "" : " (default " + format_number(value) + ")";
+  const std::string standard =
+      std::isnan(value) || presence == Presence::required ? "" : " (default " + format_number(value) + ")";
   this->value(
-      name, "NUMBER", [&value, range](const std::string& text) { value = read_number(text, range); }, help + standard, presence);
+      name, "NUMBER", [&value, range](const std::string& text) { value = read_number(text, range); }, help + standard,
+      presence);
 }
 
 void Options::number(const std::string& name, std::optional<double>& value, Range range, const std::string& help) {
   this->value(
-      name, "NUMBER", [&value, range](const std::string& text) { value = read_number(text, range); }, help, Presence::optional);
+      name, "NUMBER", [&value, range](const std::string& text) { value = read_number(text, range); }, help,
+      Presence::optional);
 }
 
-void Options::numbers(const std::string& name, std::vector<double>& values, Range range, const std::string& help, Presence presence) {
+void Options::numbers(const std::string& name, std::vector<double>& values, Range range, const std::string& help,
+                      Presence presence) {
   value(
-      name, "LIST", [&values, range](const std::string& text) { values = read_number_list(text, range); }, help, presence);
+      name, "LIST", [&values, range](const std::string& text) { values = read_number_list(text, range); }, help,
+      presence);
 }
 
 void Options::file_columns(FileColumns& columns) {
   value(
       "--columns", "LIST", [&columns](const std::string& list) { columns.read_names(list); },
-      "The file's names of columns, such as load=-Fz,force=Fx:Fy,moment=Tz: -Fz turns the sign, Fx:Fy is the length of a vector",
+      "The file's names of columns, such as load=-Fz,force=Fx:Fy,moment=Tz: -Fz turns the sign, Fx:Fy is the length of "
+      "a vector",
       Presence::optional);
   value(
       "--units", "LIST", [&columns](const std::string& list) { columns.read_units(list); },
-      "Units of the file, and of a single force, moment and load: " + std::string(units_text) + " (default m, N, Nm, rad, s)",
+      "Units of the file, and of a single force, moment and load: " + std::string(units_text) +
+          " (default m, N, Nm, rad, s)",
       Presence::optional);
 }
 
 void Options::least_load(FileColumns& columns) {
-  number("--least-load", columns.least_load, positive, "Leave out rows of --data with a smaller load, such as those of the empty gripper");
+  number("--least-load", columns.least_load, positive,
+         "Leave out rows of --data with a smaller load, such as those of the empty gripper");
 }
 
-void Options::count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help) {
+void Options::count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most,
+                    const std::string& help) {
   whole(
-      name, [&value](std::size_t number) { value = number; }, least, most, help + " (default " + std::to_string(value) + ")");
+      name, [&value](std::size_t number) { value = number; }, least, most,
+      help + " (default " + std::to_string(value) + ")");
 }
 
 void Options::count(const std::string& name, std::optional<std::size_t>& value, std::size_t least, std::size_t most,
@@ -66,23 +77,24 @@ void Options::count(const std::string& name, std::optional<std::size_t>& value, 
       name, [&value](std::size_t number) { value = number; }, least, most, help);
 }
 
-void Options::whole(const std::string& name, const std::function<void(std::size_t)>& take, std::size_t least, std::size_t most,
-                    const std::string& help) {
+void Options::whole(const std::string& name, const std::function<void(std::size_t)>& take, std::size_t least,
+                    std::size_t most, const std::string& help) {
   value(
       name, "N",
       [take, least, most](const std::string& text) {
         const auto number = parse_number(text);
-        if (!number || !(*number >= static_cast<double>(least) && *number <= static_cast<double>(most)) || *number != std::floor(*number)) {
-          throw std::invalid_argument("got '" + text + "', expected a whole number from " + std::to_string(least) + " to " +
-                                      std::to_string(most));
+        if (!number || !(*number >= static_cast<double>(least) && *number <= static_cast<double>(most)) ||
+            *number != std::floor(*number)) {
+          throw std::invalid_argument("got '" + text + "', expected a whole number from " + std::to_string(least) +
+                                      " to " + std::to_string(most));
         }
         take(static_cast<std::size_t>(*number));
       },
       help, Presence::optional);
 }
 
-void Options::choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
-                     Presence presence) {
+void Options::choice(const std::string& name, std::size_t& value, std::vector<std::string> choices,
+                     const std::string& help, Presence presence) {
   std::string kind;
   for (const std::string& choice : choices) kind += (kind.empty() ? "" : "|") + choice;
   const std::string standard = presence == Presence::required ? "" : " (default " + choices.at(value) + ")";
@@ -93,7 +105,8 @@ void Options::choice(const std::string& name, std::size_t& value, std::vector<st
         std::replace(given.begin(), given.end(), '_', '-');
         const auto found = std::find(choices.begin(), choices.end(), given);
         if (found == choices.end()) {
-          throw std::invalid_argument("got '" + text + "', expected " + kind + did_you_mean(text, {choices.begin(), choices.end()}));
+          throw std::invalid_argument("got '" + text + "', expected " + kind +
+                                      did_you_mean(text, {choices.begin(), choices.end()}));
         }
         value = static_cast<std::size_t>(found - choices.begin());
       },
@@ -107,7 +120,8 @@ void Options::finger(godobject::FingerParameters& value, const std::vector<std::
     std::replace(name.begin(), name.end(), '_', '-');
     const bool is_required = std::find(required.begin(), required.end(), number.name) != required.end();
     if constexpr (std::is_same_v<decltype(field), double&>) {
-      this->number(name, field, number.range, std::string(number.text), is_required ? Presence::required : Presence::optional);
+      this->number(name, field, number.range, std::string(number.text),
+                   is_required ? Presence::required : Presence::optional);
     } else {
       this->number(name, field, number.range, std::string(number.text));
     }
@@ -117,13 +131,15 @@ void Options::finger(godobject::FingerParameters& value, const std::vector<std::
 void Options::law(Law& value, Presence presence) {
   this->value(
       "--law", "LAW", [&value](const std::string& text) { value = read_law(text); },
-      "Pressure law: hertz, uniform, power:n=2.3, samples:FILE.csv[,rim=RADIUS], …; 'limitcurve laws' lists them", presence);
+      "Pressure law: hertz, uniform, power:n=2.3, samples:FILE.csv[,rim=RADIUS], …; 'limitcurve laws' lists them",
+      presence);
 }
 
 void Options::radius_law(std::optional<RadiusLawArgument>& value) {
   this->value(
       "--radius-law", "RADIUS-LAW", [&value](const std::string& text) { value = read_radius_law(text); },
-      "Contact radius a(P) [m]: constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259, samples:FILE.csv (columns "
+      "Contact radius a(P) [m]: constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259, samples:FILE.csv "
+      "(columns "
       "load,radius), or "
       "moments:FILE.csv (load,moment: the largest moment at a load [N m])",
       Presence::optional);
@@ -131,8 +147,10 @@ void Options::radius_law(std::optional<RadiusLawArgument>& value) {
 
 void Options::moment(MomentArgument& value) {
   radius_law(value.radius_law);
-  number("--mu-r", value.mu_r, non_negative, "Instead of --radius-law: mu_r [m/N^gamma], the moment limit is mu_r P^(1+gamma)");
-  number("--gamma", value.gamma, Range{-0.5, 1.0, "a number from -0.5 to 1"}, "gamma of mu_r, from -0.5 to 1 (default 0)");
+  number("--mu-r", value.mu_r, non_negative,
+         "Instead of --radius-law: mu_r [m/N^gamma], the moment limit is mu_r P^(1+gamma)");
+  number("--gamma", value.gamma, Range{-0.5, 1.0, "a number from -0.5 to 1"},
+         "gamma of mu_r, from -0.5 to 1 (default 0)");
 }
 
 Law law_if_needed(const Law& law, godobject::CurveKind kind, bool has_mu_r) {

@@ -28,8 +28,8 @@ using namespace ranges;
 
 enum class Presence { optional, required };
 
-/// Declares the options of a subcommand, each with the variable that receives its value. This class hides the parser's header, which is
-/// slow to compile. A value out of range throws std::invalid_argument that names the option.
+/// Declares the options of a subcommand, each with the variable that receives its value. This class hides the parser's
+/// header, which is slow to compile. A value out of range throws std::invalid_argument that names the option.
 class Options {
  public:
   /// `all`: help shows the rare options, too.
@@ -39,19 +39,20 @@ class Options {
   void rare() { is_rare_ = true; }
   [[nodiscard]] bool has_rare() const { return is_rare_; }
 
-  /// An option whose text goes to `take`, which throws std::invalid_argument if it is no value. `name` is "--law", "-o,--output", or,
-  /// without dashes, a positional argument; `kind` names the value in the help text.
-  void value(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take, const std::string& help,
-             Presence presence);
+  /// An option whose text goes to `take`, which throws std::invalid_argument if it is no value. `name` is "--law",
+  /// "-o,--output", or, without dashes, a positional argument; `kind` names the value in the help text.
+  void value(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take,
+             const std::string& help, Presence presence);
   /// The same for an option that may be given several times: calls `take` for each.
-  void repeated(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take, const std::string& help,
-                Presence presence);
+  void repeated(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take,
+                const std::string& help, Presence presence);
   void flag(const std::string& name, bool& value, const std::string& help);
 
   void text(const std::string& name, std::string& value, const std::string& kind, const std::string& help,
             Presence presence = Presence::optional);
   /// Help shows the present `value` as the default, unless it is NaN.
-  void number(const std::string& name, double& value, Range range, const std::string& help, Presence presence = Presence::optional);
+  void number(const std::string& name, double& value, Range range, const std::string& help,
+              Presence presence = Presence::optional);
   void number(const std::string& name, std::optional<double>& value, Range range, const std::string& help);
   void numbers(const std::string& name, std::vector<double>& values, Range range, const std::string& help,
                Presence presence = Presence::required);
@@ -60,19 +61,22 @@ class Options {
   /// --least-load, for data with a load.
   void least_load(FileColumns& columns);
   void count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help);
-  void count(const std::string& name, std::optional<std::size_t>& value, std::size_t least, std::size_t most, const std::string& help);
+  void count(const std::string& name, std::optional<std::size_t>& value, std::size_t least, std::size_t most,
+             const std::string& help);
   /// One of an enumeration's `names`; `value` is of it, or an optional one.
   template <class Value, class Kind>
-  void named(const std::string& name, Value& value, std::span<const std::string_view> names, Kind (*parse)(std::string_view),
-             const std::string& help) {
+  void named(const std::string& name, Value& value, std::span<const std::string_view> names,
+             Kind (*parse)(std::string_view), const std::string& help) {
     this->value(
-        name, joined(names), [&value, parse](const std::string& text) { value = parse(text); }, help, Presence::optional);
+        name, joined(names), [&value, parse](const std::string& text) { value = parse(text); }, help,
+        Presence::optional);
   }
   /// One of `choices`; `value` receives its index and holds the default.
   void choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
               Presence presence = Presence::optional);
 
-  /// The finger parameters (godobject/finger/finger_parameter_table.hpp), of which `required` must be given, and only `rare` ones or only the others.
+  /// The finger parameters (godobject/finger/finger_parameter_table.hpp), of which `required` must be given, and only
+  /// `rare` ones or only the others.
   void finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required, bool rare);
   void law(Law& value, Presence presence = Presence::required);
   void radius_law(std::optional<RadiusLawArgument>& value);

@@ -24,26 +24,42 @@ class PatchCommand final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {
-        "patch", "Contacts that are not round: the wrench of each sliding twist, the slip under each wrench, or inequalities for a planner",
+        "patch",
+        "Contacts that are not round: the wrench of each sliding twist, the slip under each wrench, or inequalities "
+        "for a planner",
         "Patches: points:FILE.csv (columns x,y,load), polygon:FILE.csv (x,y), rectangle:x=0.02,y=0.01 (full sides),\n"
-        "ellipse:law=hertz,a=0.004,b=0.002 (semi-axes), image:FILE.csv,pixel=0.0005 (rows of pressures, the first row at the\n"
-        "largest y; the origin is the centre of pressure; pixel=0.004x0.005 along x and y; an empty pixel, B or nan has no sensor; a\n"
-        "file of Tekscan's has its pixel; columns=32: each row of the file is a frame, flattened, also if the first row is\n"
-        "the size, 8,8; frame=2 selects; skip=1: each row begins with a time; floor=P: pressures up to P count as 0, by default up to\n"
+        "ellipse:law=hertz,a=0.004,b=0.002 (semi-axes), image:FILE.csv,pixel=0.0005 (rows of pressures, the first row "
+        "at the\n"
+        "largest y; the origin is the centre of pressure; pixel=0.004x0.005 along x and y; an empty pixel, B or nan "
+        "has no sensor; a\n"
+        "file of Tekscan's has its pixel; columns=32: each row of the file is a frame, flattened, also if the first "
+        "row is\n"
+        "the size, 8,8; frame=2 selects; skip=1: each row begins with a time; floor=P: pressures up to P count as 0, "
+        "by default up to\n"
         "1.5 times the most negative). Append\n"
-        ",mx=...,my=... if friction along x and y differs: they multiply mu. Lengths are in metres; loads and pressures may have any "
+        ",mx=...,my=... if friction along x and y differs: they multiply mu. Lengths are in metres; loads and "
+        "pressures may have any "
         "unit.\n"
-        "Twists: a CSV with the columns vx,vy,omega [m/s, rad/s], the velocity of the patch over the ground at the origin.\n"
-        "Columns: the twist; fx, fy, moment: the wrench about the origin that keeps the patch sliding; power = mu P H; error, a\n"
+        "Twists: a CSV with the columns vx,vy,omega [m/s, rad/s], the velocity of the patch over the ground at the "
+        "origin.\n"
+        "Columns: the twist; fx, fy, moment: the wrench about the origin that keeps the patch sliding; power = mu P H; "
+        "error, a\n"
         "bound of the largest of the relative error of power, |dF|/(mu P) and |dM|/(mu P m0).\n"
-        "Wrenches: a CSV with the columns fx,fy,moment [N, N m] about the origin. Columns: the wrench; hold_load: the load that\n"
-        "just holds it [N], inf if none does; vx, vy, omega: the slip at that load, of power 1 W against the wrench, nan for wrench 0 or\n"
-        "without such a load; error: bound of |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the slip needs. Where the limit\n"
-        "surface is flat the slip is about a point of the patch, exactly; error leaves out what it bears, up to its load.\n"
-        "--half-spaces N: at most N rows of inequalities inside the limit surface, for a planner, and their vertices, about the origin.\n"
-        "Columns: kind; a row has fx F_x + fy F_y + moment M <= mu N, units 1, 1, 1/m; a vertex is a wrench for mu N = 1, units 1, 1, m;\n"
+        "Wrenches: a CSV with the columns fx,fy,moment [N, N m] about the origin. Columns: the wrench; hold_load: the "
+        "load that\n"
+        "just holds it [N], inf if none does; vx, vy, omega: the slip at that load, of power 1 W against the wrench, "
+        "nan for wrench 0 or\n"
+        "without such a load; error: bound of |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the slip needs. "
+        "Where the limit\n"
+        "surface is flat the slip is about a point of the patch, exactly; error leaves out what it bears, up to its "
+        "load.\n"
+        "--half-spaces N: at most N rows of inequalities inside the limit surface, for a planner, and their vertices, "
+        "about the origin.\n"
+        "Columns: kind; a row has fx F_x + fy F_y + moment M <= mu N, units 1, 1, 1/m; a vertex is a wrench for mu N = "
+        "1, units 1, 1, m;\n"
         "share: the polytope's radius over the limit surface's in the worst direction. N: 8, 14, 32, 62 or 128.\n"
-        "--law with --radius-law or --mu-r, instead of --patch: a round contact; wrenches are force,moment, slips slide,spin [m/s, "
+        "--law with --radius-law or --mu-r, instead of --patch: a round contact; wrenches are force,moment, slips "
+        "slide,spin [m/s, "
         "rad/s].",
         "limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists data/patches/twists.csv --mu 0.5 --load 4"};
   }
@@ -54,7 +70,8 @@ class PatchCommand final : public Subcommand {
     options.moment(moment_);
     options.text("--twists", twists_, "FILE", "CSV of twists, or - for standard input");
     options.text("--wrenches", wrenches_, "FILE", "Instead of --twists: CSV of wrenches, or - for standard input");
-    options.count("--half-spaces", half_spaces_, 8, 1'000'000, "Instead of --twists: rows of inequalities, whatever --mu and the load are");
+    options.count("--half-spaces", half_spaces_, 8, 1'000'000,
+                  "Instead of --twists: rows of inequalities, whatever --mu and the load are");
     options.number("--mu", mu_, positive, "Coefficient of friction");
     options.number("--load", load_, positive, "With --twists: normal load P [N] (default 1)");
   }
@@ -64,9 +81,12 @@ class PatchCommand final : public Subcommand {
     if (int{!twists_.empty()} + int{!wrenches_.empty()} + int{half_spaces_.has_value()} != 1) {
       throw std::invalid_argument("expected one of --twists, --wrenches and --half-spaces");
     }
-    if (load_ && twists_.empty()) throw std::invalid_argument("--load: goes with --twists; with --wrenches it is a result");
+    if (load_ && twists_.empty())
+      throw std::invalid_argument("--load: goes with --twists; with --wrenches it is a result");
     if (law_ != nullptr) return slip_of_round_contact(results);
-    if (moment_.given()) throw std::invalid_argument("--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
+    if (moment_.given())
+      throw std::invalid_argument(
+          "--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
     const Patch patch = read_patch(patch_, *results.messages);
     if (half_spaces_) return write_half_spaces(results, half_spaces(patch, *half_spaces_));
     if (!wrenches_.empty()) return slip(results, patch);
@@ -79,8 +99,8 @@ class PatchCommand final : public Subcommand {
     while (reader.next()) {
       const PatchTwist twist{reader.number(0, finite), reader.number(1, finite), reader.number(2, finite)};
       const PatchFriction friction = patch.about_origin(twist);
-      rows.row(twist.vx, twist.vy, twist.omega, limit * friction.wrench.fx, limit * friction.wrench.fy, limit * friction.wrench.moment,
-               limit * friction.power, friction.error);
+      rows.row(twist.vx, twist.vy, twist.omega, limit * friction.wrench.fx, limit * friction.wrench.fy,
+               limit * friction.wrench.moment, limit * friction.power, friction.error);
     }
     rows.finish();
   }
@@ -132,7 +152,8 @@ class PatchCommand final : public Subcommand {
       const double power = limit * (wrench.force * normal.slide + wrench.moment * normal.spin);
       const double miss = std::max(std::fabs(needed.force - wrench.force) + error.force,
                                    (std::fabs(needed.moment - wrench.moment) + error.moment) / curve.moment_ratio());
-      rows.row(force, moment, load, std::copysign(normal.slide / power, force), std::copysign(normal.spin / power / radius, moment), miss);
+      rows.row(force, moment, load, std::copysign(normal.slide / power, force),
+               std::copysign(normal.spin / power / radius, moment), miss);
     }
     if (loads[1] > 0.0) questions.radii(radius_law, loads);
     results.messages->say(questions.lines());

@@ -32,7 +32,8 @@ std::vector<GripSample> read_grip(const std::string& file) {
   while (reader.next()) {
     const GripSample sample{reader.number(0, finite), reader.number(1, non_negative)};
     if (!grip.empty() && !(sample.time > grip.back().time)) {
-      throw reader.complaint(0, "got '" + std::string(reader.text(0)) + "', expected a later time than in the row before");
+      throw reader.complaint(0,
+                             "got '" + std::string(reader.text(0)) + "', expected a later time than in the row before");
     }
     grip.push_back(sample);
   }
@@ -43,7 +44,8 @@ std::vector<GripSample> read_release(const std::string& text) {
   double from = 0.0;
   double to = 0.0;
   double over = 0.0;
-  read_key_values(text, {number_key("from", from, non_negative), number_key("to", to, non_negative), number_key("over", over, positive)});
+  read_key_values(text, {number_key("from", from, non_negative), number_key("to", to, non_negative),
+                         number_key("over", over, positive)});
   return {{0.0, from}, {over, to}};
 }
 
@@ -53,7 +55,8 @@ GripOperator read_operator(const std::string& text, UnitChecks& questions) {
     return KeyValue{key, [&value](std::string_view number) { value = read_number(number, positive); }, false};
   };
   const auto take_on_slide = [&](std::string_view word) {
-    if (word != "regrip" && word != "keep") throw std::invalid_argument("got '" + std::string(word) + "', expected regrip|keep");
+    if (word != "regrip" && word != "keep")
+      throw std::invalid_argument("got '" + std::string(word) + "', expected regrip|keep");
     hand.regrips_on_slide = word == "regrip";
   };
   const auto take_target = [&](std::string_view target) {
@@ -72,26 +75,37 @@ GripOperator read_operator(const std::string& text, UnitChecks& questions) {
 class Pivot final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"pivot", "Runs the paper's experiment: a block turns between two fingers that loosen their grip",
-            "The block starts level, its centre of mass `offset` left of the grip point; x points right, y up.\n"
-            "The paper gives mu_l and mu_r of the materials, case A (coupled), case B (uncoupled) and the level start. It does not give\n"
-            "size, mass and offset of the block, k_l, k_r, dampers, rate of release and time step: the defaults are our choice. Three\n"
-            "decide the result: k_r (by the radial projection) and the rate in case A, the offset in both: in case B the block turns\n"
-            "only if the offset exceeds mu_r/mu_l.\n"
-            "Cases: coupled (ellipse, radial), uncoupled (box, closest point), exact (table, closest point). --curve and\n"
-            "--projection replace those of the case; without --case they are table and closest-point.\n"
-            "Grip: --grip FILE (CSV time,load [s, N], linear in between), or --release from=1,to=0,over=4 [N, N, s], or\n"
-            "--operator target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s,on-slide=regrip|keep]. The operator loosens the grip\n"
-            "until the block turns, keeps it turning, and grips again for good at the target angle, or (unless on-slide=keep) once the\n"
-            "block has slid more than 2 mm and more than 20 mm per radian of its turn. Defaults: load=2*P0, rate=P0 per second,\n"
-            "regrip-rate ten times that. Without any of the three: from P0 to P0/2 in 10 s, where P0 is 0.5 N, or 1.3 times the load\n"
-            "that an ellipse needs to hold the block if that is more.\n"
-            "Columns: time [s]; x,y [m] of the centre of mass from the grip point; angle [rad]; grip_slip [m], the distance that the\n"
-            "block has slid past the fingers; load of each finger [N]; friction_force [N] and friction_moment [N m] of both fingers;\n"
-            "state stick|slip|free|invalid (a note names the reason); cor [m] of the slip (nan unless it slips); r,rho: distance [m] and "
-            "angle [rad] of one finger's\n"
-            "god-object from its goal after step b; trial_r,trial_rho: the same before step b (eq. 7).",
-            "limitcurve pivot --case coupled --material sandpaper --operator target=30deg"};
+    return {
+        "pivot", "Runs the paper's experiment: a block turns between two fingers that loosen their grip",
+        "The block starts level, its centre of mass `offset` left of the grip point; x points right, y up.\n"
+        "The paper gives mu_l and mu_r of the materials, case A (coupled), case B (uncoupled) and the level start. It "
+        "does not give\n"
+        "size, mass and offset of the block, k_l, k_r, dampers, rate of release and time step: the defaults are our "
+        "choice. Three\n"
+        "decide the result: k_r (by the radial projection) and the rate in case A, the offset in both: in case B the "
+        "block turns\n"
+        "only if the offset exceeds mu_r/mu_l.\n"
+        "Cases: coupled (ellipse, radial), uncoupled (box, closest point), exact (table, closest point). --curve and\n"
+        "--projection replace those of the case; without --case they are table and closest-point.\n"
+        "Grip: --grip FILE (CSV time,load [s, N], linear in between), or --release from=1,to=0,over=4 [N, N, s], or\n"
+        "--operator target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s,on-slide=regrip|keep]. The operator "
+        "loosens the grip\n"
+        "until the block turns, keeps it turning, and grips again for good at the target angle, or (unless "
+        "on-slide=keep) once the\n"
+        "block has slid more than 2 mm and more than 20 mm per radian of its turn. Defaults: load=2*P0, rate=P0 per "
+        "second,\n"
+        "regrip-rate ten times that. Without any of the three: from P0 to P0/2 in 10 s, where P0 is 0.5 N, or 1.3 "
+        "times the load\n"
+        "that an ellipse needs to hold the block if that is more.\n"
+        "Columns: time [s]; x,y [m] of the centre of mass from the grip point; angle [rad]; grip_slip [m], the "
+        "distance that the\n"
+        "block has slid past the fingers; load of each finger [N]; friction_force [N] and friction_moment [N m] of "
+        "both fingers;\n"
+        "state stick|slip|free|invalid (a note names the reason); cor [m] of the slip (nan unless it slips); r,rho: "
+        "distance [m] and "
+        "angle [rad] of one finger's\n"
+        "god-object from its goal after step b; trial_r,trial_rho: the same before step b (eq. 7).",
+        "limitcurve pivot --case coupled --material sandpaper --operator target=30deg"};
   }
 
   void declare(Options& options) override {
@@ -103,17 +117,20 @@ class Pivot final : public Subcommand {
                   "Projection onto the limit curve, instead of the case's");
     options.radius_law(radius_law_);
     options.text("--material", material_, "rayon|suede|sandpaper", "Coefficients from Table 1 (data/materials.csv)");
-    options.number("--mu", mu_, non_negative, "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
+    options.number("--mu", mu_, non_negative,
+                   "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
     options.number("--mu-r", mu_r_, non_negative, "mu_r [m] (default: the material's, else sandpaper's)");
     options.text("--grip", grip_file_, "FILE", "CSV with columns time,load");
     options.value(
-        "--release", "LIST", [this](const std::string& text) { release_ = read_release(text); }, "from=N,to=N,over=SECONDS",
-        Presence::optional);
+        "--release", "LIST", [this](const std::string& text) { release_ = read_release(text); },
+        "from=N,to=N,over=SECONDS", Presence::optional);
     options.value(
-        "--operator", "LIST", [this](const std::string& text) { settings_.grip_operator = read_operator(text, questions_); },
+        "--operator", "LIST",
+        [this](const std::string& text) { settings_.grip_operator = read_operator(text, questions_); },
         "target=ANGLE[,…]", Presence::optional);
     options.number("--mass", settings_.mass, positive, "Mass of the block [kg]");
-    options.number("--offset", settings_.offset, non_negative, "Distance of the centre of mass from the grip point, along the block [m]");
+    options.number("--offset", settings_.offset, non_negative,
+                   "Distance of the centre of mass from the grip point, along the block [m]");
     options.number("--stiffness", settings_.stiffness, positive, "k_l of each finger [N/m]");
     options.number("--twist-stiffness", settings_.twist_stiffness, positive,
                    "k_r of each finger [N m/rad] (default k_l (mu_r/mu_l)^2, where --projection radial is best)");
@@ -121,15 +138,18 @@ class Pivot final : public Subcommand {
     options.law(settings_.law, Presence::optional);
     options.rare();
     options.number("--mu-dynamic", settings_.mu_dynamic, non_negative, "mu_l while slipping [1] (default mu_l)");
-    options.number("--mu-r-dynamic", settings_.mu_r_dynamic, non_negative, "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
+    options.number("--mu-r-dynamic", settings_.mu_r_dynamic, non_negative,
+                   "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
     options.number("--length", settings_.length, positive, "Length of the block [m]");
     options.number("--height", settings_.height, positive, "Height of the block [m]");
     options.number("--gravity", settings_.gravity, non_negative, "Gravity [m/s^2]");
     options.number("--damping", settings_.damping, non_negative, "b_l of each finger [N s/m]");
-    options.number("--twist-damping", settings_.twist_damping, non_negative, "b_r of each finger [N m s/rad] (default b_l k_r/k_l)");
+    options.number("--twist-damping", settings_.twist_damping, non_negative,
+                   "b_r of each finger [N m s/rad] (default b_l k_r/k_l)");
     options.number("--time-step", settings_.time_step, positive, "Time step [s]");
     options.count("--every", every_, 1, 1'000'000'000, "Write one row every N time steps, beginning with the first");
-    options.number("--tolerance", settings_.tolerance, positive, "Error of the table, if the limit curve is one, in unit wrenches");
+    options.number("--tolerance", settings_.tolerance, positive,
+                   "Error of the table, if the limit curve is one, in unit wrenches");
   }
 
   void run(const Results& results) override {
@@ -157,8 +177,8 @@ class Pivot final : public Subcommand {
     settings_.grip = grip_file_.empty() ? release_ : read_grip(grip_file_);
     godobject::Pivot pivot(settings_);
     describe(*results.messages, pivot);
-    Rows rows(results, {"time", "x", "y", "angle", "grip_slip", "load", "friction_force", "friction_moment", "state", "cor", "r", "rho",
-                        "trial_r", "trial_rho"});
+    Rows rows(results, {"time", "x", "y", "angle", "grip_slip", "load", "friction_force", "friction_moment", "state",
+                        "cor", "r", "rho", "trial_r", "trial_rho"});
     std::size_t step = 0;
     std::array loads{pivot.row().load, pivot.row().load};
     godobject::Fault fault = godobject::Fault::none;
@@ -176,8 +196,8 @@ class Pivot final : public Subcommand {
     } while (pivot.step());
     rows.finish();
     if (fault != godobject::Fault::none) {
-      results.messages->say("limitcurve: note: invalid from time " + format_number(since) + " s on: " + std::string(to_string(fault)) +
-                            "; a smaller --time-step may help");
+      results.messages->say("limitcurve: note: invalid from time " + format_number(since) +
+                            " s on: " + std::string(to_string(fault)) + "; a smaller --time-step may help");
     }
     if (radius_law_) questions_.radii(settings_.radius_law, loads);
     questions_.load(loads[1]);
@@ -188,12 +208,14 @@ class Pivot final : public Subcommand {
   /// Notes and warnings that the user must know before using the rows.
   void describe(Messages& messages, const godobject::Pivot& pivot) const {
     if (settings_.curve == CurveKind::exact) {
-      messages.say("limitcurve: exact: a table with an error of at most " + format_number(pivot.curve_error(), 3) + " in unit wrenches");
+      messages.say("limitcurve: exact: a table with an error of at most " + format_number(pivot.curve_error(), 3) +
+                   " in unit wrenches");
     }
     const double load = pivot.row().load;
     const double needed = pivot.holding_load();
     if (load < needed) {
-      messages.say("limitcurve: warning: the grip begins at " + format_number(load, 3) + " N a finger and does not hold the block: " +
+      messages.say("limitcurve: warning: the grip begins at " + format_number(load, 3) +
+                   " N a finger and does not hold the block: " +
                    (std::isfinite(needed) ? "that needs " + format_number(needed, 3) + " N" : "no load does"));
     }
   }

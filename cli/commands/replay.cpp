@@ -58,9 +58,12 @@ constexpr std::array space_columns = std::to_array<FingerColumn>({
     {"nz", [](const SceneContact& contact) { return contact.normal.z(); }},
 });
 constexpr std::array detail_columns = std::to_array<FingerColumn>({
-    {"margin", [](const SceneContact& contact) { return contact.margin; }, "margin to slip [1]: 1 without friction, 0 slips"},
-    {"hold_load", [](const SceneContact& contact) { return contact.load_to_hold; }, "least load that would hold the friction [N]"},
-    {"corx", [](const SceneContact& contact) { return contact.centre_of_rotation.x(); }, "the slip's centre of rotation [m]"},
+    {"margin", [](const SceneContact& contact) { return contact.margin; },
+     "margin to slip [1]: 1 without friction, 0 slips"},
+    {"hold_load", [](const SceneContact& contact) { return contact.load_to_hold; },
+     "least load that would hold the friction [N]"},
+    {"corx", [](const SceneContact& contact) { return contact.centre_of_rotation.x(); },
+     "the slip's centre of rotation [m]"},
     {"cory", [](const SceneContact& contact) { return contact.centre_of_rotation.y(); }},
     {"corz", [](const SceneContact& contact) { return contact.centre_of_rotation.z(); }},
     {"dissipated", [](const SceneContact& contact) { return contact.dissipated; }, "by slip so far [J]"},
@@ -93,31 +96,44 @@ struct Refused {
 class Replay final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"replay", "Runs a soft finger (the paper's god-object) over a recorded motion on a surface",
-            "Trace: columns time,x,y,z,twist [s, m, m, m, rad]. qw,qx,qy,qz (a unit quaternion, finger to world) may stand instead of\n"
-            "twist; without both the finger does not twist. The plane is z = 0: outward normal +z, penetration -z.\n"
-            "Columns: time; state free|stick|slip|invalid (a note names the reason, the first time and the count); px,py [m] and angle\n"
-            "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the rendered friction; cor [m], the distance of the\n"
-            "slip's centre of rotation (nan unless it slips).\n"
-            "With another surface, a body that moves, or several fingers, columns pz, fz and nx,ny,nz (the surface's outward normal) are\n"
-            "added, in world coordinates; angle is relative to the body. The user feels load along the normal, and moment about it.\n"
-            "--body trace: columns bx,by,bz [m] and bqw,bqx,bqy,bqz (body to world) of the trace move the body. planar and free: the\n"
-            "fingers push the body, which starts at the origin; its pose after each sample is in columns of those names.\n"
-            "Finger N reads x2,y2,z2,twist2 (qw2,...) and so on, and writes state2,px2,py2,...\n"
-            "A patch is fixed to the finger and turns with angle; cor is the distance from its centre of pressure, the contact point.",
-            "limitcurve replay --trace data/traces/slide_twist_load.csv --law hertz --radius-law constant:a=0.006 --mu 0.6\n"
-            "    --stiffness 1000 --twist-stiffness 0.036 --curve table --projection closest-point"};
+    return {
+        "replay", "Runs a soft finger (the paper's god-object) over a recorded motion on a surface",
+        "Trace: columns time,x,y,z,twist [s, m, m, m, rad]. qw,qx,qy,qz (a unit quaternion, finger to world) may stand "
+        "instead of\n"
+        "twist; without both the finger does not twist. The plane is z = 0: outward normal +z, penetration -z.\n"
+        "Columns: time; state free|stick|slip|invalid (a note names the reason, the first time and the count); px,py "
+        "[m] and angle\n"
+        "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the rendered friction; cor [m], the "
+        "distance of the\n"
+        "slip's centre of rotation (nan unless it slips).\n"
+        "With another surface, a body that moves, or several fingers, columns pz, fz and nx,ny,nz (the surface's "
+        "outward normal) are\n"
+        "added, in world coordinates; angle is relative to the body. The user feels load along the normal, and moment "
+        "about it.\n"
+        "--body trace: columns bx,by,bz [m] and bqw,bqx,bqy,bqz (body to world) of the trace move the body. planar and "
+        "free: the\n"
+        "fingers push the body, which starts at the origin; its pose after each sample is in columns of those names.\n"
+        "Finger N reads x2,y2,z2,twist2 (qw2,...) and so on, and writes state2,px2,py2,...\n"
+        "A patch is fixed to the finger and turns with angle; cor is the distance from its centre of pressure, the "
+        "contact point.",
+        "limitcurve replay --trace data/traces/slide_twist_load.csv --law hertz --radius-law constant:a=0.006 --mu "
+        "0.6\n"
+        "    --stiffness 1000 --twist-stiffness 0.036 --curve table --projection closest-point"};
   }
 
   void declare(Options& options) override {
-    options.text("--trace", trace_, "FILE", "CSV with columns time,x,y,z,twist, or - for standard input", Presence::required);
+    options.text("--trace", trace_, "FILE", "CSV with columns time,x,y,z,twist, or - for standard input",
+                 Presence::required);
     options.law(replay_.law, Presence::optional);
-    options.text("--patch", patch_, "PATCH", "Instead of --law and --radius-law: a pressure patch of any shape (closest-point projection)");
+    options.text("--patch", patch_, "PATCH",
+                 "Instead of --law and --radius-law: a pressure patch of any shape (closest-point projection)");
     options.radius_law(radius_law_);
     options.finger(replay_.finger, {"mu", "stiffness", "twist_stiffness"}, false);
-    options.named("--curve", replay_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind, "Limit curve (default table)");
-    options.named("--projection", replay_.projection, godobject::projection_names(), godobject::parse_projection,
-                  "Projection onto the limit curve (default closest-point). radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2");
+    options.named("--curve", replay_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind,
+                  "Limit curve (default table)");
+    options.named(
+        "--projection", replay_.projection, godobject::projection_names(), godobject::parse_projection,
+        "Projection onto the limit curve (default closest-point). radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2");
     options.number("--tolerance", replay_.tolerance, positive, "Error of the table, in unit wrenches");
     options.value(
         "--surface", "SURFACE",
@@ -125,7 +141,8 @@ class Replay final : public Subcommand {
           surface_ = read_surface(text);
           on_plane_ = text == "plane";
         },
-        "Surface that the finger touches [m]: plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, cylinder:radius=0.02,length=0.1, "
+        "Surface that the finger touches [m]: plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, "
+        "cylinder:radius=0.02,length=0.1, "
         "box:x=0.12,y=0.04,z=0.04 (default plane)",
         Presence::optional);
     options.text("--body", body_text_, "BODY",
@@ -134,21 +151,24 @@ class Replay final : public Subcommand {
     options.count("--fingers", fingers_, 1, godobject::Replay::most_fingers, "Number of fingers in the trace");
     options.value(
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
-        "b=NUMBER[,b_r=NUMBER][,T=SECONDS][,delay=SAMPLES]: reject gains that are not passive on a device with this damping [N s/m, "
+        "b=NUMBER[,b_r=NUMBER][,T=SECONDS][,delay=SAMPLES]: reject gains that are not passive on a device with this "
+        "damping [N s/m, "
         "N m s/rad], sample time (default: the longest of the trace) and delay (most devices: 1)",
         Presence::optional);
     options.flag("--details", details_, "Add columns for a controller: " + details_text());
     options.rare();
     options.file_columns(columns_);
     options.finger(replay_.finger, {}, true);
-    options.number("--point-radius", point_radius_, positive,
-                   "Radius given to the points of a patch [m] (default and minimum 1e-3 m0, m0: moment of a pure spin over mu P)");
+    options.number(
+        "--point-radius", point_radius_, positive,
+        "Radius given to the points of a patch [m] (default and minimum 1e-3 m0, m0: moment of a pure spin over mu P)");
   }
 
   void run(const Results& results) override {
     check_patch();
     take_own_radii(radius_law_, replay_.finger.mu_r.has_value(), replay_.law, *results.messages);
-    if (radius_law_ && replay_.finger.mu_r) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
+    if (radius_law_ && replay_.finger.mu_r)
+      throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
     if (radius_law_) {
       replay_.finger.radius_law = radius_law_->of(replay_.finger.mu, replay_.law);
     } else if (!replay_.finger.mu_r && patch_.empty()) {
@@ -179,12 +199,14 @@ class Replay final : public Subcommand {
       return;
     }
     const auto refuse = [](const char* option, bool given) {
-      if (given) throw std::invalid_argument(std::string(option) + ": not with --patch, which has its own size and moments");
+      if (given)
+        throw std::invalid_argument(std::string(option) + ": not with --patch, which has its own size and moments");
     };
     refuse("--radius-law", radius_law_.has_value());
     refuse("--mu-r", replay_.finger.mu_r.has_value());
     refuse("--mu-r-dynamic", replay_.finger.mu_r_dynamic.has_value());
-    if (replay_.projection != Projection::closest_point) throw std::invalid_argument("--projection: a patch needs closest-point");
+    if (replay_.projection != Projection::closest_point)
+      throw std::invalid_argument("--projection: a patch needs closest-point");
     if (replay_.curve != CurveKind::table && replay_.curve != CurveKind::exact) {
       throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
     }
@@ -207,14 +229,17 @@ class Replay final : public Subcommand {
       }
       delay_ = static_cast<int>(*samples);
     };
-    read_key_values(text, {number_key("b", device.sliding, non_negative), number_key("b_r", device.twist, non_negative, false),
-                           number_key("T", sample_time_, positive, false), KeyValue{"delay", take_delay, false}});
+    read_key_values(
+        text, {number_key("b", device.sliding, non_negative), number_key("b_r", device.twist, non_negative, false),
+               number_key("T", sample_time_, positive, false), KeyValue{"delay", take_delay, false}});
     device_ = device;
   }
 
   /// The longest time from a sample of the trace to the next [s].
   [[nodiscard]] double longest_step() const {
-    const auto refuse = [](const char* why) { return std::invalid_argument(std::string("--check-gains: T is not given, and ") + why); };
+    const auto refuse = [](const char* why) {
+      return std::invalid_argument(std::string("--check-gains: T is not given, and ") + why);
+    };
     if (trace_ == "-") throw refuse("a trace from standard input is read once; expected T=SECONDS");
     CsvReader reader(trace_, {"time"});
     double longest = 0.0;
@@ -231,7 +256,8 @@ class Replay final : public Subcommand {
   void check_gains(Messages& messages) const {
     if (!device_) return;
     godobject::require_passive(replay_.finger, sample_time_ > 0.0 ? sample_time_ : longest_step(), *device_, delay_);
-    if (std::isinf(device_->twist)) messages.say("limitcurve: note: --check-gains: without b_r the twist is not checked");
+    if (std::isinf(device_->twist))
+      messages.say("limitcurve: note: --check-gains: without b_r the twist is not checked");
   }
 
   static void note_missing_twists(Messages& messages, const TraceReader& trace) {
@@ -246,8 +272,8 @@ class Replay final : public Subcommand {
     results.messages->say(surface_.notes);
     godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact && !replay_.patch) {
-      std::string text =
-          "limitcurve: exact: a table with an error of at most " + format_number(replay.curve_error(), 3) + " in unit wrenches";
+      std::string text = "limitcurve: exact: a table with an error of at most " +
+                         format_number(replay.curve_error(), 3) + " in unit wrenches";
       if (const double profile = replay_.law->profile_error(); profile > 0.0) {
         text += ", of which " + format_number(profile, 3) + " because the pressure is known only at samples";
       }
@@ -276,9 +302,9 @@ class Replay final : public Subcommand {
       const std::size_t unsolved = replay.unsolved();
       replay.step(trace.time(), trace.fingers(), trace.body());
       if (replay.unsolved() > unsolved) {
-        results.messages->say(
-            "limitcurve: time " + format_number(trace.time()) +
-            " s: the step of the body was not solved; its momentum is right, its position approximate: a smaller time step may help");
+        results.messages->say("limitcurve: time " + format_number(trace.time()) +
+                              " s: the step of the body was not solved; its momentum is right, its position "
+                              "approximate: a smaller time step may help");
       }
       rows.row_by([&](const auto& cell) {
         cell(trace.time());
@@ -286,7 +312,8 @@ class Replay final : public Subcommand {
           cell(godobject::to_string(contact.state));
           for (const auto group : columns)
             for (const FingerColumn& column : group) cell(column.of(contact));
-          if (contact.fault != godobject::Fault::none && refused[contact.fault].count++ == 0) refused[contact.fault].since = trace.time();
+          if (contact.fault != godobject::Fault::none && refused[contact.fault].count++ == 0)
+            refused[contact.fault].since = trace.time();
           if (contact.load > 0.0) loads = {std::min(loads[0], contact.load), std::max(loads[1], contact.load)};
         }
         if (!is_free) return;
@@ -297,8 +324,9 @@ class Replay final : public Subcommand {
     }
     rows.finish();
     for (const auto& [fault, samples] : refused) {
-      results.messages->say("limitcurve: note: " + std::to_string(samples.count) + (samples.count == 1 ? " sample" : " samples") +
-                            " invalid, from time " + format_number(samples.since) + " s on: " + std::string(to_string(fault)));
+      results.messages->say("limitcurve: note: " + std::to_string(samples.count) +
+                            (samples.count == 1 ? " sample" : " samples") + " invalid, from time " +
+                            format_number(samples.since) + " s on: " + std::string(to_string(fault)));
     }
     // Without any contact, check at 1 N.
     if (loads[1] == 0.0) loads = {1.0, 1.0};

@@ -18,8 +18,8 @@ double moment_arm(const godobject::FingerParameters& finger, double moment_ratio
 
 }  // namespace
 
-void note_stiffnesses(Messages& messages, const std::string& subject, const godobject::FingerParameters& finger, double moment_ratio,
-                      std::span<const double> loads) {
+void note_stiffnesses(Messages& messages, const std::string& subject, const godobject::FingerParameters& finger,
+                      double moment_ratio, std::span<const double> loads) {
   constexpr double far = 10.0;
   double farthest = far;
   double worst_load = 0.0;
@@ -40,7 +40,8 @@ void note_stiffnesses(Messages& messages, const std::string& subject, const godo
   messages.say("limitcurve: note: " + subject + ": k_r/k_l is " + format_number(times, 2) + " times (mu_r/mu_l)^2 at " +
                format_number(worst_load, 2) + " N, where mu_r/mu_l is " + format_number(worst_arm, 2) +
                " m: a finger that slides and twists renders hardly any friction " + (times > 1.0 ? "force" : "moment") +
-               "; use closest-point, or k_r = " + format_number(worst_arm * worst_arm * finger.stiffness, 2) + " N m/rad");
+               "; use closest-point, or k_r = " + format_number(worst_arm * worst_arm * finger.stiffness, 2) +
+               " N m/rad");
 }
 
 }  // namespace limitcurve::cli

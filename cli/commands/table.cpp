@@ -19,23 +19,27 @@ namespace {
 class Table final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"table", "Writes a lookup table of the limit curve with a checked error",
-            "The name of the file selects its format: .csv, .json, .h (C99) or .hpp (constexpr C++17, no dependencies).\n"
-            "Without --name the names in a header hold the law and the checksum, so that each table has its own.\n"
-            "Columns: law; tolerance; checked_error, an upper bound on the absolute error of force and moment in unit wrenches;\n"
-            "nodes, the number of polynomials in the table; bytes that a look-up may touch; profile_error, the error because a\n"
-            "measured pressure is known at samples only, to be added to checked_error (0 for a law given by a formula).",
-            "limitcurve table --law hertz --tolerance 1e-6 -o hertz.csv"};
+    return {
+        "table", "Writes a lookup table of the limit curve with a checked error",
+        "The name of the file selects its format: .csv, .json, .h (C99) or .hpp (constexpr C++17, no dependencies).\n"
+        "Without --name the names in a header hold the law and the checksum, so that each table has its own.\n"
+        "Columns: law; tolerance; checked_error, an upper bound on the absolute error of force and moment in unit "
+        "wrenches;\n"
+        "nodes, the number of polynomials in the table; bytes that a look-up may touch; profile_error, the error "
+        "because a\n"
+        "measured pressure is known at samples only, to be added to checked_error (0 for a law given by a formula).",
+        "limitcurve table --law hertz --tolerance 1e-6 -o hertz.csv"};
   }
 
   void declare(Options& options) override {
     options.law(law_);
     options.number("--tolerance", tolerance_, positive,
-                   "Largest error of force and moment, in unit wrenches, over m0 if that is above 1 (default 1e-8; of float 1e-6)");
+                   "Largest error of force and moment, in unit wrenches, over m0 if that is above 1 (default 1e-8; of "
+                   "float 1e-6)");
     options.text("-o,--output", file_, "FILE", "File to write", Presence::required);
-    options.count(
-        "--preferred-bytes", bytes_, 0, limitcurve::Table::max_bytes,
-        "Memory that a look-up should touch: the polynomials get the lowest degree, 3 to 5, that fits, which is the fastest; else 6");
+    options.count("--preferred-bytes", bytes_, 0, limitcurve::Table::max_bytes,
+                  "Memory that a look-up should touch: the polynomials get the lowest degree, 3 to 5, that fits, which "
+                  "is the fastest; else 6");
     options.choice("--real", real_, {"double", "float"}, "Numbers of a header");
     options.text("--name", name_, "NAME", "Of the table in a .h or .hpp file: NAME_wrench(slide, spin)");
   }
@@ -43,7 +47,8 @@ class Table final : public Subcommand {
   void run(const Results& results) override {
     results.messages->say(law_->remarks());
     const bool is_single = real_ == 1;
-    const double tolerance = tolerance_.value_or(is_single ? FloatTable::default_tolerance : limitcurve::Table::default_tolerance);
+    const double tolerance =
+        tolerance_.value_or(is_single ? FloatTable::default_tolerance : limitcurve::Table::default_tolerance);
     const TableWriter text_of = table_writer(file_, "--output", name_, is_single);
     // Rounding of float takes most of the finest tolerance.
     const double finest = FloatTable::finest_tolerance;
@@ -53,14 +58,15 @@ class Table final : public Subcommand {
     const auto table = limitcurve::Table::build(law_, of_table, {.preferred_bytes = bytes_});
     const double error = is_single ? single_precision_error(table) : table.checked_error();
     if (const double least = error / std::max(1.0, table.moment_ratio()); is_single && least > tolerance) {
-      throw std::runtime_error("table of " + table.law_name() + " in single precision: expected a tolerance of " + format_number(least) +
-                               " or more");
+      throw std::runtime_error("table of " + table.law_name() + " in single precision: expected a tolerance of " +
+                               format_number(least) + " or more");
     }
     AtomicFile file(file_);
     file.output().write(text_of(table));
     file.commit();
     Rows rows(results, {"law", "tolerance", "checked_error", "nodes", "bytes", "profile_error"});
-    rows.row(table.law_name(), tolerance, error, table.cell_count(), table.bytes() / (is_single ? 2 : 1), table.profile_error());
+    rows.row(table.law_name(), tolerance, error, table.cell_count(), table.bytes() / (is_single ? 2 : 1),
+             table.profile_error());
     rows.finish();
   }
 

@@ -30,22 +30,33 @@ class Translate final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {
         "translate", "Coefficients for physics engines, with the error that remains; or what such a coefficient means",
-        "The coefficients give the exact limits of force and moment at --load; between the limits each engine has its own shape.\n"
-        "Columns: engine; parameter, in the engine's spelling; value; unit; model, the shape (ellipse, diamond, box, point: no\n"
+        "The coefficients give the exact limits of force and moment at --load; between the limits each engine has its "
+        "own shape.\n"
+        "Columns: engine; parameter, in the engine's spelling; value; unit; model, the shape (ellipse, diamond, box, "
+        "point: no\n"
         "moment); max_error, its largest radial error against the exact curve (0.07 is 7 %); cor_error,\n"
-        "the largest error of the wrench at the same centre of rotation, as a fraction of the limits; loads_error, the largest\n"
-        "radial error over the --loads, because the coefficients are constant; note, what the engine multiplies the value by, and\n"
-        "its name for the value; formula, of mu, mu_r = mu m0 a, m0, a, and f, the other body's friction, taken as 1; two_bodies,\n"
-        "how the engine combines the values of two bodies. With --loads also low and high: the range of the value over these loads,\n"
+        "the largest error of the wrench at the same centre of rotation, as a fraction of the limits; loads_error, the "
+        "largest\n"
+        "radial error over the --loads, because the coefficients are constant; note, what the engine multiplies the "
+        "value by, and\n"
+        "its name for the value; formula, of mu, mu_r = mu m0 a, m0, a, and f, the other body's friction, taken as 1; "
+        "two_bodies,\n"
+        "how the engine combines the values of two bodies. With --loads also low and high: the range of the value over "
+        "these loads,\n"
         "for randomisation.\n"
-        "With several values of --mu: the coefficients for each, and a last column mu. mu_r follows mu; drawn apart, they are of no pad.\n"
+        "With several values of --mu: the coefficients for each, and a last column mu. mu_r follows mu; drawn apart, "
+        "they are of no pad.\n"
         "--mu-r R, as it is measured, with --gamma G if it grows with the load: instead of --radius-law.\n"
         "--patch P, instead of --law, --radius-law and --load: a contact that is not round (see 'limitcurve patch').\n"
-        "--read ENGINE.PARAMETER=VALUE, with --law and --mu alone: what a number in a scene means. PARAMETER is the engine's name or a\n"
-        "short one: friction, torsional, patch_radius, ... VALUE may be all that an attribute has: 'mujoco.friction=1 0.005 0.0001'.\n"
+        "--read ENGINE.PARAMETER=VALUE, with --law and --mu alone: what a number in a scene means. PARAMETER is the "
+        "engine's name or a\n"
+        "short one: friction, torsional, patch_radius, ... VALUE may be all that an attribute has: 'mujoco.friction=1 "
+        "0.005 0.0001'.\n"
         "Numbers of one engine belong to one contact, until a parameter comes again; its friction replaces --mu.\n"
-        "Columns: engine; parameter; value; moment_per_load [m], the largest moment over the load (none: the number sets no moment);\n"
-        "radius [m], the contact radius that a contact of the law needs for it; note, with the defaults that were taken.\n"
+        "Columns: engine; parameter; value; moment_per_load [m], the largest moment over the load (none: the number "
+        "sets no moment);\n"
+        "radius [m], the contact radius that a contact of the law needs for it; note, with the defaults that were "
+        "taken.\n"
         "--explain writes what else each engine needs, and its documentation, to standard error.",
         "limitcurve translate --law hertz --radius-law power:c=0.00207,gamma=0.259 --mu 0.8 --load 2"};
   }
@@ -54,10 +65,12 @@ class Translate final : public Subcommand {
     options.law(law_, Presence::optional);
     options.moment(moment_);
     options.text("--patch", patch_, "PATCH", "Instead of --law, --radius-law and --load: a pressure patch");
-    options.numbers("--mu", frictions_, positive, "Friction coefficient mu [1], or several: 0.4,1.2", Presence::optional);
+    options.numbers("--mu", frictions_, positive, "Friction coefficient mu [1], or several: 0.4,1.2",
+                    Presence::optional);
     options.number("--load", load_, positive, "Normal load P [N] at which the limits are exact");
     options.numbers("--loads", loads_, positive,
-                    "LOW,HIGH: range of loads [N] for loads_error (default: a quarter of --load to four times --load)", Presence::optional);
+                    "LOW,HIGH: range of loads [N] for loads_error (default: a quarter of --load to four times --load)",
+                    Presence::optional);
     options.value(
         "--engine", "ENGINE", [this](const std::string& text) { engine_ = engines::find_engine(text); },
         "One engine alone: mujoco, newton, genesis, physx, isaac, sapien, bullet, ...", Presence::optional);
@@ -92,9 +105,11 @@ class Translate final : public Subcommand {
       refuse_factors(*results.messages, patch);
       return write(results, [&](double mu) { return engines::translate(patch, mu); });
     }
-    if (law_ == nullptr && !moment_.mu_r) throw std::invalid_argument("expected one of --law, --mu-r, --patch and --read");
+    if (law_ == nullptr && !moment_.mu_r)
+      throw std::invalid_argument("expected one of --law, --mu-r, --patch and --read");
     moment_.check(law_, *results.messages);
-    if (moment_.mu_r && frictions_.size() > 1) throw std::invalid_argument("--mu: one value beside --mu-r, which was measured under it");
+    if (moment_.mu_r && frictions_.size() > 1)
+      throw std::invalid_argument("--mu: one value beside --mu-r, which was measured under it");
     if (!load_) throw std::invalid_argument("--load is required");
     note_profile_error(law_, *results.messages);
     if (!loads_.empty() && (loads_.size() != 2 || loads_[0] > loads_[1])) {
@@ -102,16 +117,19 @@ class Translate final : public Subcommand {
     }
     if (law_ == nullptr) {
       law_ = hertz();
-      results.messages->say("limitcurve: note: no --law: the errors are against Hertz's curve; the coefficients need no law beside --mu-r");
+      results.messages->say(
+          "limitcurve: note: no --law: the errors are against Hertz's curve; the coefficients need no law beside "
+          "--mu-r");
     }
     const engines::LoadRange range =
         loads_.empty() ? engines::LoadRange{*load_ / 4.0, 4.0 * *load_} : engines::LoadRange{loads_[0], loads_[1]};
     for (const double mu : frictions_) {
-      results.messages->say(
-          radius_warnings(moment_.with(mu, law_).radius(law_->moment_ratio()), std::array{range.low, range.high, *load_}));
+      results.messages->say(radius_warnings(moment_.with(mu, law_).radius(law_->moment_ratio()),
+                                            std::array{range.low, range.high, *load_}));
     }
-    write(results,
-          [&](double mu) { return engines::translate(law_, moment_.with(mu, law_).radius(law_->moment_ratio()), mu, *load_, range); });
+    write(results, [&](double mu) {
+      return engines::translate(law_, moment_.with(mu, law_).radius(law_->moment_ratio()), mu, *load_, range);
+    });
   }
 
  private:
@@ -122,16 +140,19 @@ class Translate final : public Subcommand {
     std::string names;
     for (const std::string& engine : engines::engines_of_one_friction()) {
       if (engine == engine_) {
-        throw std::invalid_argument("--engine: " + engine + " has one coefficient of friction, and mx = " + format_number(mx) +
-                                    ", my = " + format_number(my) + " differ: expected an engine with two, mujoco, gazebo, gz-sim or ode");
+        throw std::invalid_argument(
+            "--engine: " + engine + " has one coefficient of friction, and mx = " + format_number(mx) +
+            ", my = " + format_number(my) + " differ: expected an engine with two, mujoco, gazebo, gz-sim or ode");
       }
       names += ' ' + engine;
     }
-    if (engine_.empty()) messages.say("limitcurve: note: left out, because they have one coefficient of friction for x and y:" + names);
+    if (engine_.empty())
+      messages.say("limitcurve: note: left out, because they have one coefficient of friction for x and y:" + names);
   }
 
   /// `translate` gives the contacts of a friction.
-  void write(const Results& results, const std::function<std::vector<engines::EngineContact>(double)>& translate) const {
+  void write(const Results& results,
+             const std::function<std::vector<engines::EngineContact>(double)>& translate) const {
     std::vector<std::string> columns{"engine",    "parameter",   "value", "unit",    "model",     "max_error",
                                      "cor_error", "loads_error", "note",  "formula", "two_bodies"};
     if (!loads_.empty()) columns.insert(columns.end(), {"low", "high"});
@@ -161,8 +182,8 @@ class Translate final : public Subcommand {
           });
         }
         if (explain_ && mu == frictions_.front()) {
-          results.messages->say("limitcurve: note: " + contact.engine + ", " + contact.model + ": " + contact.caveat + " (" +
-                                contact.documentation + ")");
+          results.messages->say("limitcurve: note: " + contact.engine + ", " + contact.model + ": " + contact.caveat +
+                                " (" + contact.documentation + ")");
         }
       }
     }
@@ -177,14 +198,16 @@ class Translate final : public Subcommand {
     const std::size_t before = numbers.size();
     for (std::string word; values >> word;) {
       const auto value = word == "true" ? 1.0 : word == "false" ? 0.0 : parse_number(word);
-      if (!value) throw std::invalid_argument("--read: got '" + text + "', expected a number or true or false after '='");
+      if (!value)
+        throw std::invalid_argument("--read: got '" + text + "', expected a number or true or false after '='");
       const std::size_t index = numbers.size() - before;
       std::string name = text.substr(point + 1, equals - point - 1);
       if (index > 0) name.append("[").append(std::to_string(index)).append("]");
       numbers.push_back({text.substr(0, point), std::move(name), *value});
     }
     if (numbers.size() == before) {
-      throw std::invalid_argument("--read: got '" + text + "', expected ENGINE.PARAMETER=VALUE, such as mujoco.torsional=0.005");
+      throw std::invalid_argument("--read: got '" + text +
+                                  "', expected ENGINE.PARAMETER=VALUE, such as mujoco.torsional=0.005");
     }
   }
 
@@ -193,15 +216,16 @@ class Translate final : public Subcommand {
     for (const std::string& text : readings_) append_numbers(text, numbers);
     std::vector<engines::CoefficientMeaning> meanings;
     try {
-      meanings =
-          engines::read_coefficients(numbers, frictions_.empty() ? std::numeric_limits<double>::quiet_NaN() : frictions_.front(), law_);
+      meanings = engines::read_coefficients(
+          numbers, frictions_.empty() ? std::numeric_limits<double>::quiet_NaN() : frictions_.front(), law_);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(std::string("--read: ") + error.what());
     }
     Rows rows(results, {"engine", "parameter", "value", "moment_per_load", "radius", "note"});
     for (std::size_t i = 0; i < meanings.size(); ++i) {
       const engines::CoefficientMeaning& found = meanings[i];
-      rows.row(found.engine, found.parameter, numbers[i].value, if_any(found.moment_per_load), if_any(found.radius), found.note);
+      rows.row(found.engine, found.parameter, numbers[i].value, if_any(found.moment_per_load), if_any(found.radius),
+               found.note);
     }
     rows.finish();
   }

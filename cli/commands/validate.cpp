@@ -31,21 +31,32 @@ class Validate final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {
         "validate", "Errors of ellipse, box, diamond and Padé model against the exact curve",
-        "Errors are relative radii in the paper's normalised plane (0.07 is 7 %). An over-estimate holds where the real finger slips.\n"
+        "Errors are relative radii in the paper's normalised plane (0.07 is 7 %). An over-estimate holds where the "
+        "real finger slips.\n"
         "max_cor_error is the largest |c_model/c_exact - 1|, inf if it is unbounded.\n"
-        "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares and ellipse-inner (inside the curve,\n"
-        "with the smallest maximum error): the force semi-axis in units of mu P; box (uncoupled limits): inf, and diamond: 1, the\n"
-        "exponents n of x^n + y^n = 1; pade (Zhuravlev's model, by its own twist: it has no normal): c/a at half the force;\n"
+        "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares and ellipse-inner (inside "
+        "the curve,\n"
+        "with the smallest maximum error): the force semi-axis in units of mu P; box (uncoupled limits): inf, and "
+        "diamond: 1, the\n"
+        "exponents n of x^n + y^n = 1; pade (Zhuravlev's model, by its own twist: it has no normal): c/a at half the "
+        "force;\n"
         "not of uniform-wear, whose force rises infinitely steeply from a pure spin.\n"
-        "With --patch the contact is not round (see 'limitcurve patch') and law names the patch. Errors compare the model's power\n"
+        "With --patch the contact is not round (see 'limitcurve patch') and law names the patch. Errors compare the "
+        "model's power\n"
         "with the patch's, over all sliding twists; rms_error is over centres of rotation in 128 directions at 121\n"
-        "distances, evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models and their parameter:\n"
-        "disc:LAW, the law and radius with the least largest error, and disc-equal-area:LAW: the radius [m]; ellipsoid\n"
+        "distances, evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models and "
+        "their parameter:\n"
+        "disc:LAW, the law and radius with the least largest error, and disc-equal-area:LAW: the radius [m]; "
+        "ellipsoid\n"
         "sqrt((mx vx)^2 + (my vy)^2 + m0^2 w^2): m0 [m].\n"
-        "With --points: the errors of points of a limit curve that other code, or a measurement, gave. Columns force,moment of the\n"
-        "unit curve (F/(mu P), M/(mu P a)), unless --mu, --load, --radius scale it, and c, the distance of the COR, for\n"
-        "max_cor_error, where its wrench differs from the point's by more than 1e-6 of mu P and mu P a; with --patch fx,fy,moment about\n"
-        "its origin. Signs of force, moment and c do not matter. model: the file; parameter: the number of points; an error is\n"
+        "With --points: the errors of points of a limit curve that other code, or a measurement, gave. Columns "
+        "force,moment of the\n"
+        "unit curve (F/(mu P), M/(mu P a)), unless --mu, --load, --radius scale it, and c, the distance of the COR, "
+        "for\n"
+        "max_cor_error, where its wrench differs from the point's by more than 1e-6 of mu P and mu P a; with --patch "
+        "fx,fy,moment about\n"
+        "its origin. Signs of force, moment and c do not matter. model: the file; parameter: the number of points; an "
+        "error is\n"
         "gauge - 1, the gauge being 1 on the limit.",
         "limitcurve validate --law hertz --law uniform"};
   }
@@ -53,18 +64,21 @@ class Validate final : public Subcommand {
   void declare(Options& options) override {
     options.repeated(
         "--law", "LAW", [this](const std::string& text) { laws_.push_back(read_law(text)); },
-        "Pressure law, also samples:FILE.csv; may be repeated (default: all laws of 'limitcurve laws')", Presence::optional);
+        "Pressure law, also samples:FILE.csv; may be repeated (default: all laws of 'limitcurve laws')",
+        Presence::optional);
     options.repeated(
         "--patch", "PATCH", [this](const std::string& text) { patches_.push_back(text); },
         "Instead of --law: a pressure patch; may be repeated", Presence::optional);
-    options.text("--points", file_, "FILE", "Instead of models: CSV of points of a limit curve, or - for standard input");
+    options.text("--points", file_, "FILE",
+                 "Instead of models: CSV of points of a limit curve, or - for standard input");
     options.number("--mu", mu_, positive, "Of --points: coefficient of friction");
     options.number("--load", load_, positive, "Of --points: normal load P [N]");
     options.number("--radius", radius_, positive, "Of --points with --law: contact radius a [m]");
   }
 
   void run(const Results& results) override {
-    if (!laws_.empty() && !patches_.empty()) throw std::invalid_argument("--patch: got --law too, expected one of them");
+    if (!laws_.empty() && !patches_.empty())
+      throw std::invalid_argument("--patch: got --law too, expected one of them");
     for (const Law& law : laws_) results.messages->say(law->remarks());
     if (!file_.empty()) return validate_points(results);
     if (mu_ || load_ || radius_) throw std::invalid_argument("--mu, --load, --radius: go with --points");
@@ -81,7 +95,9 @@ class Validate final : public Subcommand {
         write(rows, law->name(), model, parameter, error);
       };
       const ExactCurve exact(law);
-      const auto ellipse = [&](std::string_view model, const Ellipse& curve) { row(model, curve.force_max(), curve_error(curve, exact)); };
+      const auto ellipse = [&](std::string_view model, const Ellipse& curve) {
+        row(model, curve.force_max(), curve_error(curve, exact));
+      };
       ellipse("ellipse", Ellipse::through_intercepts(exact.moment_ratio()));
 #ifdef LIMITCURVE_HAS_FIT
       ellipse("ellipse-least-squares", fit::fit_ellipse(law, fit::Criterion::least_squares).curve);
@@ -97,10 +113,12 @@ class Validate final : public Subcommand {
 
  private:
   static std::vector<std::string> columns() {
-    return {"law", "model", "parameter", "max_error", "rms_error", "max_over_estimate", "max_under_estimate", "max_cor_error"};
+    return {"law",          "model", "parameter", "max_error", "rms_error", "max_over_estimate", "max_under_estimate",
+            "max_cor_error"};
   }
 
-  static void write(Rows& rows, const std::string& law, std::string_view model, double parameter, const CurveError& error) {
+  static void write(Rows& rows, const std::string& law, std::string_view model, double parameter,
+                    const CurveError& error) {
     rows.row(law, model, parameter, error.max_error, error.rms_error, error.max_over_estimate, error.max_under_estimate,
              error.max_cor_error);
   }
@@ -120,8 +138,8 @@ class Validate final : public Subcommand {
     rows.finish();
   }
 
-  /// A c whose unit wrench is as close as this to that of the point is right: six digits of force and moment tell no more, least near the
-  /// ends, where large changes of c change neither.
+  /// A c whose unit wrench is as close as this to that of the point is right: six digits of force and moment tell no
+  /// more, least near the ends, where large changes of c change neither.
   static constexpr double same_wrench = 1e-6;
 
   /// A point of a curve that is to be judged.
@@ -132,18 +150,22 @@ class Validate final : public Subcommand {
 
   void validate_points(const Results& results) const {
     const bool is_round = patches_.empty();
-    if (is_round && laws_.empty()) throw std::invalid_argument("--points: expected one of --law and --patch, which it is compared with");
+    if (is_round && laws_.empty())
+      throw std::invalid_argument("--points: expected one of --law and --patch, which it is compared with");
     if (!is_round && radius_) throw std::invalid_argument("--radius: not with --patch, which has its own size");
-    CsvReader reader(file_, is_round ? std::vector<std::string>{"force", "moment"} : std::vector<std::string>{"fx", "fy", "moment"},
-                     is_round ? std::vector<std::string>{"c"} : std::vector<std::string>{});
+    CsvReader reader(
+        file_, is_round ? std::vector<std::string>{"force", "moment"} : std::vector<std::string>{"fx", "fy", "moment"},
+        is_round ? std::vector<std::string>{"c"} : std::vector<std::string>{});
     const bool has_cor = is_round && reader.has(2);
     std::vector<Point> points;
     while (reader.next()) {
       const auto number = [&](std::size_t i) { return reader.number(i, finite); };
-      points.push_back(is_round ? Point{{number(0), 0.0, number(1)}, has_cor ? std::fabs(reader.number(2, signed_distance)) : 0.0}
-                                : Point{{number(0), number(1), number(2)}, 0.0});
+      points.push_back(
+          is_round ? Point{{number(0), 0.0, number(1)}, has_cor ? std::fabs(reader.number(2, signed_distance)) : 0.0}
+                   : Point{{number(0), number(1), number(2)}, 0.0});
       const auto [fx, fy, moment] = points.back().wrench;
-      if (fx == 0.0 && fy == 0.0 && moment == 0.0) throw reader.complaint(0, "force and moment are 0, expected a point of the limit curve");
+      if (fx == 0.0 && fy == 0.0 && moment == 0.0)
+        throw reader.complaint(0, "force and moment are 0, expected a point of the limit curve");
     }
     Rows rows(results, columns());
     const double limit = mu_.value_or(1.0) * load_.value_or(1.0);
@@ -158,8 +180,9 @@ class Validate final : public Subcommand {
       }
       error.max_error = std::max(error.max_over_estimate, error.max_under_estimate);
       error.rms_error = std::sqrt(squares / static_cast<double>(points.size()));
-      rows.row(name, file_, static_cast<double>(points.size()), error.max_error, error.rms_error, error.max_over_estimate,
-               error.max_under_estimate, has_cor ? std::optional(error.max_cor_error) : std::nullopt);
+      rows.row(name, file_, static_cast<double>(points.size()), error.max_error, error.rms_error,
+               error.max_over_estimate, error.max_under_estimate,
+               has_cor ? std::optional(error.max_cor_error) : std::nullopt);
     };
     for (const std::string& text : patches_) {
       const Patch patch = read_patch(text, *results.messages);
@@ -172,10 +195,12 @@ class Validate final : public Subcommand {
         const UnitWrench wrench{std::fabs(point.wrench.fx) / limit, std::fabs(point.wrench.moment) / (limit * radius)};
         const RadialPoint on_curve = exact.along(wrench);
         const double cor = radius * on_curve.normal.cor();
-        const UnitWrench given = exact.wrench(std::isinf(point.cor) ? SlipTwist{1.0, 0.0} : SlipTwist{point.cor, radius});
-        if (has_cor && std::hypot(given.force - on_curve.wrench.force, given.moment - on_curve.wrench.moment) > same_wrench) {
-          error.max_cor_error =
-              std::max(error.max_cor_error, cor == 0.0 || std::isinf(point.cor) ? infinite : std::fabs(point.cor / cor - 1.0));
+        const UnitWrench given =
+            exact.wrench(std::isinf(point.cor) ? SlipTwist{1.0, 0.0} : SlipTwist{point.cor, radius});
+        if (has_cor &&
+            std::hypot(given.force - on_curve.wrench.force, given.moment - on_curve.wrench.moment) > same_wrench) {
+          error.max_cor_error = std::max(
+              error.max_cor_error, cor == 0.0 || std::isinf(point.cor) ? infinite : std::fabs(point.cor / cor - 1.0));
         }
         return gauge_from(wrench, on_curve.wrench);
       });

@@ -27,7 +27,8 @@ godobject::BodyParameters solid(const SurfaceArgument& surface, double mass, dou
   } else if (surface.even_body) {
     result = surface.even_body(mass);
   } else {
-    throw std::invalid_argument("no 'inertia', and this surface encloses no known volume, expected mass=NUMBER,inertia=NUMBER");
+    throw std::invalid_argument(
+        "no 'inertia', and this surface encloses no known volume, expected mass=NUMBER,inertia=NUMBER");
   }
   result.validate();
   return result;
@@ -57,8 +58,9 @@ BodyArgument read_body(const std::string& text, const SurfaceArgument& surface) 
     result.parameters.gravity = {0.0, 0.0, -gravity};
     return result;
   }
-  throw std::invalid_argument("got '" + text + "', expected fixed, trace, planar:mass=0.1 or free:mass=0.1" +
-                              did_you_mean(kind, {"fixed", "trace", "planar", "free"}, std::string_view(text).substr(kind.size())));
+  throw std::invalid_argument(
+      "got '" + text + "', expected fixed, trace, planar:mass=0.1 or free:mass=0.1" +
+      did_you_mean(kind, {"fixed", "trace", "planar", "free"}, std::string_view(text).substr(kind.size())));
 }
 
 }  // namespace limitcurve::cli

@@ -16,9 +16,10 @@ struct BodyArgument {
   godobject::BodyParameters parameters = {};
 };
 
-/// Reads a body from a command line: `fixed`; `trace`, moved by the trace; `planar:mass=0.1`, which slides and turns in the x-y plane
-/// without friction of its own; `free:mass=0.1`, with gravity (9.81 along −z, or `gravity=…`). Moments of inertia are those of a
-/// homogeneous body with this surface, or `inertia=…` [kg m²] about every axis. Throws std::invalid_argument.
+/// Reads a body from a command line: `fixed`; `trace`, moved by the trace; `planar:mass=0.1`, which slides and turns in
+/// the x-y plane without friction of its own; `free:mass=0.1`, with gravity (9.81 along −z, or `gravity=…`). Moments of
+/// inertia are those of a homogeneous body with this surface, or `inertia=…` [kg m²] about every axis. Throws
+/// std::invalid_argument.
 BodyArgument read_body(const std::string& text, const SurfaceArgument& surface);
 
 }  // namespace limitcurve::cli

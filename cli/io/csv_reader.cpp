@@ -58,7 +58,8 @@ std::string excerpt(std::string_view text) {
 std::string_view other_than_text(std::string_view line) {
   if (line.starts_with("\x93NUMPY")) return "a NumPy file, expected CSV: numpy.savetxt writes it";
   if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff")) return "a text in UTF-16, expected UTF-8";
-  if (line.starts_with("#ROSBAG")) return "a rosbag, expected CSV: 'rostopic echo -b FILE.bag -p /TOPIC > FILE.csv' writes it";
+  if (line.starts_with("#ROSBAG"))
+    return "a rosbag, expected CSV: 'rostopic echo -b FILE.bag -p /TOPIC > FILE.csv' writes it";
   if (line.starts_with("PK\x03\x04")) return "a spreadsheet or another zip file, expected CSV: export it";
   if (line.find('\0') != std::string_view::npos) return "a byte 0, expected a CSV text in UTF-8";
   return {};
@@ -66,7 +67,8 @@ std::string_view other_than_text(std::string_view line) {
 
 /// The end of an error message if what should be one field is several, with another separator, or has a decimal comma.
 std::string_view other_separator(std::string_view field) {
-  if (field.find(';') != std::string_view::npos) return "; it is separated by semicolons, expected commas, and points in numbers";
+  if (field.find(';') != std::string_view::npos)
+    return "; it is separated by semicolons, expected commas, and points in numbers";
   if (field.find('\t') != std::string_view::npos) return "; it is separated by tabs, expected commas";
   if (field.find(' ') != std::string_view::npos) return "; it is separated by spaces, expected commas";
   if (field.find(',') != std::string_view::npos) return "; it has a decimal comma, expected a point";
@@ -75,8 +77,8 @@ std::string_view other_separator(std::string_view field) {
 
 }  // namespace
 
-CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns,
-                     const FileColumns& file_columns, std::string expected)
+CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns,
+                     std::vector<std::string> optional_columns, const FileColumns& file_columns, std::string expected)
     : memory_(MemoryColumns::find(file)),
       name_(memory_ != nullptr ? memory_->name_
             : file == "-"      ? "standard input"
@@ -234,7 +236,8 @@ void CsvReader::take(const FileColumns& file_columns) {
     const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
       return std::find(names.begin(), names.end(), column) != names.end();
     };
-    if (is_one_of({"radius", "sigma_radius", "ratio", "ratio_sd", "dx", "dy", "x", "y", "z", "bx", "by", "bz"})) return file_columns.length;
+    if (is_one_of({"radius", "sigma_radius", "ratio", "ratio_sd", "dx", "dy", "x", "y", "z", "bx", "by", "bz"}))
+      return file_columns.length;
     if (is_one_of({"load", "force", "sigma_force", "force_x", "force_y", "fx", "fy"})) return file_columns.force;
     if (is_one_of({"moment", "sigma_moment"})) return file_columns.moment;
     if (is_one_of({"twist", "dtheta"})) return file_columns.angle;
@@ -245,7 +248,8 @@ void CsvReader::take(const FileColumns& file_columns) {
   load_ = static_cast<std::size_t>(std::find(own.begin(), own.end(), "load") - own.begin());
   for (const auto& [name, in_file] : file_columns.names) {
     const auto place = std::find(own.begin(), own.end(), name);
-    if (place == own.end()) throw std::invalid_argument("--columns: got '" + name + "', expected one of " + joined(own, own.size()));
+    if (place == own.end())
+      throw std::invalid_argument("--columns: got '" + name + "', expected one of " + joined(own, own.size()));
     columns_[static_cast<std::size_t>(place - own.begin())] = in_file;
     renamed_.push_back(static_cast<std::size_t>(place - own.begin()));
   }
@@ -325,7 +329,8 @@ void CsvReader::find_columns() {
   for (std::size_t i = 0; i < field_count_; ++i) {
     for (std::size_t column = 0; column < columns_.size(); ++column) {
       if (fields_[i].text != columns_[column]) continue;
-      if (places_[column] != missing) throw complaint_at(fields_[i].offset, "column '" + columns_[column] + "' twice, expected once");
+      if (places_[column] != missing)
+        throw complaint_at(fields_[i].offset, "column '" + columns_[column] + "' twice, expected once");
       places_[column] = i;
     }
   }
@@ -334,7 +339,8 @@ void CsvReader::find_columns() {
     throw no_column(load_ == columns_.size() ? "'load'" : "'" + columns_[load_] + "' for --least-load");
   const bool has_none = std::all_of(places_.begin(), places_.end(), [](std::size_t place) { return place == missing; });
   for (std::size_t column = 0; column < columns_.size(); ++column) {
-    const bool wanted = has_none || column < required_ || std::find(renamed_.begin(), renamed_.end(), column) != renamed_.end();
+    const bool wanted =
+        has_none || column < required_ || std::find(renamed_.begin(), renamed_.end(), column) != renamed_.end();
     if (wanted && places_[column] == missing) throw no_column("'" + columns_[column] + "'");
     if (wanted && memory_ != nullptr) memory_->require_numbers(places_[column]);
   }
@@ -342,12 +348,14 @@ void CsvReader::find_columns() {
 
 bool CsvReader::next() {
   while (next_row()) {
-    if (!file_columns_.least_load || number(load_, finite) >= *file_columns_.least_load * file_columns_.force) return true;
+    if (!file_columns_.least_load || number(load_, finite) >= *file_columns_.least_load * file_columns_.force)
+      return true;
     ++left_out_;
   }
   if (left_out_ > 0) {
     const std::string limit = "a load below " + format_number(*file_columns_.least_load);
-    if (left_out_ == rows_) throw complaint_at(0, "all " + std::to_string(rows_) + " rows have " + limit + ", expected one row or more");
+    if (left_out_ == rows_)
+      throw complaint_at(0, "all " + std::to_string(rows_) + " rows have " + limit + ", expected one row or more");
     say(std::to_string(left_out_) + " of " + std::to_string(rows_) + " rows have " + limit + ", and are left out");
     left_out_ = 0;
   }
@@ -359,7 +367,8 @@ bool CsvReader::next_row() {
   if (memory_ != nullptr ? rows_ == memory_->rows_ : !next_meaningful_line()) {
     if (rows_ > 0) return false;
     ++line_number_;
-    throw complaint_at(0, has_header_ ? "no rows after the header, expected at least one" : "an empty file, expected rows of numbers");
+    throw complaint_at(
+        0, has_header_ ? "no rows after the header, expected at least one" : "an empty file, expected rows of numbers");
   }
   if (!has_header_ && rows_ == 0) {
     header_fields_ = field_count_;
@@ -370,11 +379,12 @@ bool CsvReader::next_row() {
   }
   ++rows_;
   if (field_count_ != header_fields_) {
-    throw complaint_at(line_.size(), "a line of " + std::to_string(field_count_) + (field_count_ == 1 ? " field" : " fields") + ", got '" +
-                                         excerpt(line_) + "', expected " + std::to_string(header_fields_) +
-                                         (has_header_ ? " as in the header" : " as in the first row") +
-                                         (field_count_ == 2 * header_fields_ ? "; are there decimal commas instead of points?"
-                                                                             : std::string(other_separator(fields_[0].text))));
+    throw complaint_at(line_.size(),
+                       "a line of " + std::to_string(field_count_) + (field_count_ == 1 ? " field" : " fields") +
+                           ", got '" + excerpt(line_) + "', expected " + std::to_string(header_fields_) +
+                           (has_header_ ? " as in the header" : " as in the first row") +
+                           (field_count_ == 2 * header_fields_ ? "; are there decimal commas instead of points?"
+                                                               : std::string(other_separator(fields_[0].text))));
   }
   return true;
 }
@@ -385,15 +395,16 @@ double CsvReader::number(std::size_t column, const Range& range) const {
   double value = raw_number(column, places_[column], range);
   if (source != nullptr) {
     if (source->turned) value = 0.0 - value;
-    for (std::size_t i = 1; i < source->places.size(); ++i) value = std::hypot(value, raw_number(column, source->places[i], range));
+    for (std::size_t i = 1; i < source->places.size(); ++i)
+      value = std::hypot(value, raw_number(column, source->places[i], range));
   }
   if (range.contains(value)) return unit * value;
   std::string hint;
   if (column == load_ && file_columns_.messages != nullptr && std::isfinite(value))
     hint = "; --columns load=-NAME turns the sign of all, --least-load 0.1 leaves out rows of less";
   const bool as_read = memory_ != nullptr || source != nullptr;
-  throw complaint(column,
-                  "got '" + (as_read ? format_number(value) : excerpt(text(column))) + "', expected " + std::string(range.text) + hint);
+  throw complaint(column, "got '" + (as_read ? format_number(value) : excerpt(text(column))) + "', expected " +
+                              std::string(range.text) + hint);
 }
 
 /// The number at a place of the row; `column` is for the complaint.
@@ -405,7 +416,8 @@ double CsvReader::raw_number(std::size_t column, std::size_t place, const Range&
   const std::string& field = fields_[place].text;
   const auto value = parse_number(field);
   if (value) return *value;
-  throw complaint(column, "got '" + excerpt(field) + "', expected " + std::string(range.text) + std::string(other_separator(field)));
+  throw complaint(column, "got '" + excerpt(field) + "', expected " + std::string(range.text) +
+                              std::string(other_separator(field)));
 }
 
 std::invalid_argument CsvReader::no_column(const std::string& column) const {
@@ -414,10 +426,12 @@ std::invalid_argument CsvReader::no_column(const std::string& column) const {
     for (std::size_t i = 0; i < field_count_; ++i) {
       const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
       const std::string& field = fields_[i].text;
-      if (field != name && std::equal(field.begin(), field.end(), name.begin(), name.end(), same)) hint = "; capital letters count";
+      if (field != name && std::equal(field.begin(), field.end(), name.begin(), name.end(), same))
+        hint = "; capital letters count";
     }
   }
-  return complaint_at(0, "no column " + column + ", got '" + excerpt(line_) + "', expected a header line with " + expected_ + hint);
+  return complaint_at(
+      0, "no column " + column + ", got '" + excerpt(line_) + "', expected a header line with " + expected_ + hint);
 }
 
 std::invalid_argument CsvReader::complaint(std::size_t column, const std::string& what) const {
@@ -428,7 +442,8 @@ std::invalid_argument CsvReader::complaint(std::size_t column, const std::string
 
 std::invalid_argument CsvReader::complaint_at(std::size_t offset, const std::string& what) const {
   if (memory_ != nullptr) return std::invalid_argument(name_ + ": " + what);
-  return std::invalid_argument(name_ + ':' + std::to_string(line_number_) + ':' + std::to_string(offset + 1) + ": " + what);
+  return std::invalid_argument(name_ + ':' + std::to_string(line_number_) + ':' + std::to_string(offset + 1) + ": " +
+                               what);
 }
 
 std::string place_of(const std::string& file, const std::vector<std::string>& columns, std::string_view message) {

@@ -20,13 +20,15 @@ using namespace ranges;
 
 /// Reads a CSV file of named columns row by row, in constant memory.
 ///
-/// The reader finds columns by their names in the header line, in any order, and ignores others. It skips blank lines and lines that begin
-/// with `#`. Line ends may be LF or CRLF; fields may be quoted. "-" is standard input. A bad file throws std::invalid_argument with
-/// `FILE:LINE:COLUMN: …` (COLUMN counts bytes from 1); a disk that fails throws std::runtime_error.
+/// The reader finds columns by their names in the header line, in any order, and ignores others. It skips blank lines
+/// and lines that begin with `#`. Line ends may be LF or CRLF; fields may be quoted. "-" is standard input. A bad file
+/// throws std::invalid_argument with `FILE:LINE:COLUMN: …` (COLUMN counts bytes from 1); a disk that fails throws
+/// std::runtime_error.
 class CsvReader {
  public:
-  /// Opens `file`, or MemoryColumns of that path, and reads its header, which must have all of `columns`; `expected`: what a message says it
-  /// must have, if that is more. With `file_columns.messages` the header is the first of 20 lines that has them.
+  /// Opens `file`, or MemoryColumns of that path, and reads its header, which must have all of `columns`; `expected`:
+  /// what a message says it must have, if that is more. With `file_columns.messages` the header is the first of 20
+  /// lines that has them.
   CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns = {},
             const FileColumns& file_columns = {}, std::string expected = {});
   /// Opens a file of numbers without header. Its columns are 0, 1, …, one for each field of the first row.
@@ -35,9 +37,8 @@ class CsvReader {
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
-  /// Moves to the next row; false after the last. A row with fewer or more fields than the header (such as a truncated line) is an error,
-  /// and so is a file without rows.
-  /// Rows below --least-load are left out, and counted in a note.
+  /// Moves to the next row; false after the last. A row with fewer or more fields than the header (such as a truncated
+  /// line) is an error, and so is a file without rows. Rows below --least-load are left out, and counted in a note.
   bool next();
 
   /// Of a file without header: forgets the rows that were read, as if the file began with the next.
@@ -124,8 +125,8 @@ class CsvReader {
   bool has_header_ = true;
 };
 
-/// Where the sample, vertex or point stands whose number (from 1) a message tells: "FILE:LINE:1: ". It reads the file again; "FILE: " if the
-/// message tells none, or for a pipe or standard input, which are read once.
+/// Where the sample, vertex or point stands whose number (from 1) a message tells: "FILE:LINE:1: ". It reads the file
+/// again; "FILE: " if the message tells none, or for a pipe or standard input, which are read once.
 std::string place_of(const std::string& file, const std::vector<std::string>& columns, std::string_view message);
 
 }  // namespace limitcurve::cli

@@ -65,7 +65,8 @@ void prepare_standard_streams() noexcept {
 bool is_terminal(int file) noexcept {
   const auto console = reinterpret_cast<HANDLE>(::_get_osfhandle(file));
   DWORD mode = 0;
-  return ::GetConsoleMode(console, &mode) != 0 && ::SetConsoleMode(console, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING) != 0;
+  return ::GetConsoleMode(console, &mode) != 0 &&
+         ::SetConsoleMode(console, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING) != 0;
 }
 
 #else

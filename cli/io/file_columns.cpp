@@ -22,7 +22,8 @@ struct Unit {
 };
 
 const std::vector<Unit> length_units{{"m", 1.0}, {"cm", 0.01}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}};
-const std::vector<Unit> force_units{{"N", 1.0}, {"mN", 1e-3}, {"uN", 1e-6}, {"kN", 1e3}, {"kgf", 9.80665}, {"lbf", 4.4482216152605}};
+const std::vector<Unit> force_units{{"N", 1.0},  {"mN", 1e-3},     {"uN", 1e-6},
+                                    {"kN", 1e3}, {"kgf", 9.80665}, {"lbf", 4.4482216152605}};
 const std::vector<Unit> angle_units{{"rad", 1.0}, {"deg", std::numbers::pi / 180.0}};
 const std::vector<Unit> time_units{{"s", 1.0}, {"ms", 1e-3}};
 
@@ -40,7 +41,8 @@ struct Quantity {
   const std::vector<Unit>& units;
 };
 
-/// Calls `take(key, value)` of each item of KEY=VALUE,…, which returns false if it is none. Each key may stand there once.
+/// Calls `take(key, value)` of each item of KEY=VALUE,…, which returns false if it is none. Each key may stand there
+/// once.
 template <class Take>
 void for_each_item(std::string_view list, std::string_view expected, const Take& take) {
   std::vector<std::string_view> keys;
@@ -61,10 +63,11 @@ void for_each_item(std::string_view list, std::string_view expected, const Take&
 }  // namespace
 
 void FileColumns::read_names(std::string_view list) {
-  for_each_item(list, "a list such as load=-Fz,force=Fx:Fy,moment=Tz", [&](const std::string& own, const std::string& other) {
-    names.emplace_back(own, other);
-    return true;
-  });
+  for_each_item(list, "a list such as load=-Fz,force=Fx:Fy,moment=Tz",
+                [&](const std::string& own, const std::string& other) {
+                  names.emplace_back(own, other);
+                  return true;
+                });
   options.append(" --columns ").append(shell_word(list));
 }
 
@@ -76,9 +79,11 @@ void FileColumns::read_units(std::string_view list) {
                                             {"angle", &FileColumns::angle, angle_units},
                                             {"time", &FileColumns::time, time_units}}};
   for_each_item(list, units_text, [&](const std::string& name, const std::string& unit) {
-    const auto quantity = std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& one) { return one.name == name; });
+    const auto quantity =
+        std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& one) { return one.name == name; });
     if (quantity == quantities.end()) return false;
-    const auto known = std::find_if(quantity->units.begin(), quantity->units.end(), [&](const Unit& one) { return one.name == unit; });
+    const auto known =
+        std::find_if(quantity->units.begin(), quantity->units.end(), [&](const Unit& one) { return one.name == unit; });
     const auto number = known == quantity->units.end() ? parse_number(unit) : known->value;
     if (!number || !positive.contains(*number)) return false;
     this->*quantity->of = *number;

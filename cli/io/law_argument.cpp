@@ -18,12 +18,14 @@ namespace {
 
 /// FILE of a text KIND:FILE; nothing if the text is of another kind.
 std::optional<std::string> measured_file(const std::string& text, const std::string& kind) {
-  if (text == kind || text == kind + ":") throw std::invalid_argument("'" + text + "': no file, expected " + kind + ":FILE.csv");
+  if (text == kind || text == kind + ":")
+    throw std::invalid_argument("'" + text + "': no file, expected " + kind + ":FILE.csv");
   if (!text.starts_with(kind + ":")) return std::nullopt;
   return text.substr(kind.size() + 1);
 }
 
-/// The file of a law `samples:FILE.csv[,rim=RADIUS]`, and the rim, 0 if it names none; nothing for a law of another kind.
+/// The file of a law `samples:FILE.csv[,rim=RADIUS]`, and the rim, 0 if it names none; nothing for a law of another
+/// kind.
 std::optional<std::pair<std::string, double>> measured_profile(const std::string& text) {
   const auto rest = measured_file(text, "samples");
   if (!rest) return std::nullopt;
@@ -44,7 +46,8 @@ std::vector<LoadSample> read_load_samples(const std::string& file, const char* v
 
 /// Calls `make` and adds the place in the file to its errors.
 template <class Make>
-auto made_of(const std::string& file, const std::vector<std::string>& columns, const Make& make, const std::string& how = {}) {
+auto made_of(const std::string& file, const std::vector<std::string>& columns, const Make& make,
+             const std::string& how = {}) {
   try {
     return make();
   } catch (const std::invalid_argument& error) {
@@ -71,10 +74,12 @@ Law law_of(const std::string& text, const std::vector<PressureSample>& profile) 
   const auto measured = measured_profile(text);
   if (!measured) return parse_law(text);
   const auto& [file, rim] = *measured;
-  return made_of(file, {"radius", "pressure"}, [&, &name = file, &radius = rim] { return samples(profile, name, radius); });
+  return made_of(file, {"radius", "pressure"},
+                 [&, &name = file, &radius = rim] { return samples(profile, name, radius); });
 }
 
-RadiusLawArgument::RadiusLawArgument(std::string text, std::vector<LoadSample> rows) : text_(std::move(text)), rows_(std::move(rows)) {
+RadiusLawArgument::RadiusLawArgument(std::string text, std::vector<LoadSample> rows)
+    : text_(std::move(text)), rows_(std::move(rows)) {
   if (measured_file(text_, "moments")) return;
   const auto file = measured_file(text_, "samples");
   law_ = file ? made_of(*file, {"load", "radius"}, [&] { return RadiusLaw::sampled(rows_); }) : RadiusLaw::parse(text_);
@@ -87,8 +92,8 @@ RadiusLaw RadiusLawArgument::of(double mu, const Law& law) const {
 RadiusLaw RadiusLawArgument::of(double mu, double moment_ratio) const {
   if (law_) return *law_;
   return made_of(
-      *measured_file(text_, "moments"), {"load", "moment"}, [&] { return RadiusLaw::of_moments(rows_, mu, moment_ratio); },
-      "as radii, a = moment/(m0 mu load): ");
+      *measured_file(text_, "moments"), {"load", "moment"},
+      [&] { return RadiusLaw::of_moments(rows_, mu, moment_ratio); }, "as radii, a = moment/(m0 mu load): ");
 }
 
 RadiusLawArgument read_radius_law(const std::string& text) {
@@ -101,7 +106,8 @@ void take_own_radii(std::optional<RadiusLawArgument>& radius_law, bool has_mu_r,
   if (law == nullptr) return;
   std::vector<std::string> remarks;
   if (!radius_law && !has_mu_r && law->rim() > 0.0) {
-    remarks.push_back("note: without --radius-law and --mu-r the radii of " + law->name() + " are the contact's, in metres, at every load");
+    remarks.push_back("note: without --radius-law and --mu-r the radii of " + law->name() +
+                      " are the contact's, in metres, at every load");
     law = with_own_radii(law);
     radius_law.emplace("constant:a=" + format_number(law->rim()), std::vector<LoadSample>{});
   }
@@ -113,7 +119,8 @@ void note_profile_error(const Law& law, Messages& messages) {
   if (law == nullptr || law->profile_error() == 0.0) return;
   const WrenchEstimate spin = law->evaluate(0.0);
   messages.say("limitcurve: note: " + law->name() + ": its largest moment may be off by " +
-               format_number(100.0 * spin.error.moment / spin.wrench.moment, 2) + " %, because the pressure is known only at samples");
+               format_number(100.0 * spin.error.moment / spin.wrench.moment, 2) +
+               " %, because the pressure is known only at samples");
 }
 
 void MomentArgument::check(Law& law, Messages& messages) {

@@ -14,9 +14,9 @@
 
 namespace limitcurve::cli {
 
-/// Reads a law from a command line: the library's grammar, or `samples:FILE.csv[,rim=RADIUS]`, a measured profile with the columns
-/// radius,pressure, and the radius in the file's unit that the contact radius stands for.
-/// Throws std::invalid_argument with the place of the error in the text or in the file.
+/// Reads a law from a command line: the library's grammar, or `samples:FILE.csv[,rim=RADIUS]`, a measured profile with
+/// the columns radius,pressure, and the radius in the file's unit that the contact radius stands for. Throws
+/// std::invalid_argument with the place of the error in the text or in the file.
 Law read_law(const std::string& text);
 /// The same, and the rows of a measured profile; `profile` stays empty for other laws.
 Law read_law(const std::string& text, std::vector<PressureSample>& profile);
@@ -24,7 +24,8 @@ Law read_law(const std::string& text, std::vector<PressureSample>& profile);
 /// The law that such a text means, with the rows of its profile instead of the file's.
 Law law_of(const std::string& text, const std::vector<PressureSample>& profile);
 
-/// A radius law on a command line. Measured moment limits become a radius law once friction and pressure law are known: Γ(P) = m₀ μ P a(P).
+/// A radius law on a command line. Measured moment limits become a radius law once friction and pressure law are known:
+/// Γ(P) = m₀ μ P a(P).
 class RadiusLawArgument {
  public:
   /// The radius law that a text means, with the rows of its file, if it names one.
@@ -43,11 +44,13 @@ class RadiusLawArgument {
   std::optional<RadiusLaw> law_;  ///< nothing for measured moments
 };
 
-/// Reads a radius law from a command line: the library's grammar; `samples:FILE.csv`, measured radii with the columns load,radius [N, m];
-/// or `moments:FILE.csv`, measured moment limits with the columns load,moment [N, N m]. Throws like `read_law`.
+/// Reads a radius law from a command line: the library's grammar; `samples:FILE.csv`, measured radii with the columns
+/// load,radius [N, m]; or `moments:FILE.csv`, measured moment limits with the columns load,moment [N, N m]. Throws like
+/// `read_law`.
 RadiusLawArgument read_radius_law(const std::string& text);
 
-/// Says a law's remarks. Without radius law and mu_r the radii of a measured profile become the contact's own, in metres, at every load.
+/// Says a law's remarks. Without radius law and mu_r the radii of a measured profile become the contact's own, in
+/// metres, at every load.
 void take_own_radii(std::optional<RadiusLawArgument>& radius_law, bool has_mu_r, Law& law, Messages& messages);
 
 /// Notes the error of the largest moment of a law whose pressure is known only at samples.
@@ -59,8 +62,8 @@ struct MomentArgument {
   std::optional<double> mu_r;
   std::optional<double> gamma;
 
-  /// Takes a measured profile's own radii where no option gives a size, and says the law's remarks. Throws std::invalid_argument with the
-  /// options, of which one is expected.
+  /// Takes a measured profile's own radii where no option gives a size, and says the law's remarks. Throws
+  /// std::invalid_argument with the options, of which one is expected.
   void check(Law& law, Messages& messages);
   [[nodiscard]] bool given() const { return radius_law || mu_r || gamma; }
   /// After `check`.

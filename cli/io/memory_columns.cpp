@@ -25,8 +25,8 @@ InMemory& in_memory() {
 
 }  // namespace
 
-MemoryColumns::MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers,
-                             std::vector<std::string> refused)
+MemoryColumns::MemoryColumns(std::string name, std::vector<std::string> columns,
+                             std::vector<std::span<const double>> numbers, std::vector<std::string> refused)
     : name_(std::move(name)), columns_(std::move(columns)), numbers_(std::move(numbers)), refused_(std::move(refused)) {
   for (const std::span<const double> column : numbers_) rows_ = std::max(rows_, column.size());
   const std::lock_guard lock(in_memory().mutex);

@@ -11,8 +11,8 @@ namespace limitcurve::cli {
 /// Columns of numbers in memory (Python's arrays), which a CsvReader reads by their path as it would a file.
 class MemoryColumns {
  public:
-  /// `name` stands for the file in messages: `trace['x'][17]: …`. The columns have one length, and stay where they are. What is not a column of
-  /// numbers has none, and in `refused` the complaint for who reads it; else that is empty.
+  /// `name` stands for the file in messages: `trace['x'][17]: …`. The columns have one length, and stay where they are.
+  /// What is not a column of numbers has none, and in `refused` the complaint for who reads it; else that is empty.
   MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers,
                 std::vector<std::string> refused);
   virtual ~MemoryColumns();

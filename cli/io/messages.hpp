@@ -10,8 +10,9 @@
 
 namespace limitcurve::cli {
 
-/// What a run says on standard error: notes, and how far it is if it takes long. On a terminal that is a bar, from the first second on;
-/// anywhere else a line, after 5 s, and again after 5 s or a tenth of the time that has passed, whichever is longer.
+/// What a run says on standard error: notes, and how far it is if it takes long. On a terminal that is a bar, from the
+/// first second on; anywhere else a line, after 5 s, and again after 5 s or a tenth of the time that has passed,
+/// whichever is longer.
 class Messages {
  public:
   enum class Kind { none, notes, notes_and_progress };

@@ -42,8 +42,8 @@ void OutputFile::flush() {
 
 namespace {
 
-/// A name that no other run, thread or machine has; the dot hides it from listings and globs. It is short: the file's own may be as long as a
-/// name can be.
+/// A name that no other run, thread or machine has; the dot hides it from listings and globs. It is short: the file's
+/// own may be as long as a name can be.
 std::filesystem::path temporary_name(const std::filesystem::path& target) {
   std::random_device random;
   std::string name = ".limitcurve";
@@ -54,7 +54,8 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
 /// Where the links of a name lead, even to a file that is not there yet.
 std::filesystem::path target_of(std::filesystem::path path) {
   std::error_code ignored;
-  for (int links = 0; links < 40 && std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored)); ++links)
+  for (int links = 0; links < 40 && std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored));
+       ++links)
     path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
   return path;
 }

@@ -16,14 +16,16 @@ struct ClosedPipe : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A buffered output that reports every failure: a full disk throws std::runtime_error with the output's name, a closed pipe ClosedPipe. The
-/// destructor drops text that was not flushed, so that nothing follows an error.
+/// A buffered output that reports every failure: a full disk throws std::runtime_error with the output's name, a closed
+/// pipe ClosedPipe. The destructor drops text that was not flushed, so that nothing follows an error.
 class OutputFile {
  public:
   /// Standard output; not closed by this object.
   static OutputFile standard_output() { return {1, "standard output"}; }
 
-  OutputFile(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) { buffer_.reserve(capacity); }
+  OutputFile(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {
+    buffer_.reserve(capacity);
+  }
 
   /// What is to be done before anything is handed to the operating system.
   void before_writing(std::function<void()> action) { before_writing_ = std::move(action); }
@@ -42,10 +44,10 @@ class OutputFile {
   std::function<void()> before_writing_;
 };
 
-/// A file that appears under its name complete or not at all. It is written without a name in the same directory (under a hidden name if
-/// the file system needs one); `commit` gives it its name. Without `commit` the destructor removes it. A file that it replaces must be
-/// writable, and its permissions stay; behind a link, the file that the link leads to. A pipe or a device is not replaced but written.
-/// Failures throw std::runtime_error with file and cause.
+/// A file that appears under its name complete or not at all. It is written without a name in the same directory (under
+/// a hidden name if the file system needs one); `commit` gives it its name. Without `commit` the destructor removes it.
+/// A file that it replaces must be writable, and its permissions stay; behind a link, the file that the link leads to.
+/// A pipe or a device is not replaced but written. Failures throw std::runtime_error with file and cause.
 class AtomicFile {
  public:
   explicit AtomicFile(std::string name);

@@ -27,7 +27,8 @@ namespace limitcurve::cli {
 namespace {
 
 constexpr std::string_view expected_kinds =
-    "expected points:FILE.csv, polygon:FILE.csv, rectangle:x=…,y=…, ellipse:law=…,a=…,b=… or image:FILE.csv,pixel=…, each with "
+    "expected points:FILE.csv, polygon:FILE.csv, rectangle:x=…,y=…, ellipse:law=…,a=…,b=… or image:FILE.csv,pixel=…, "
+    "each with "
     "[,mx=…,my=…]";
 
 std::vector<KeyValue> with_factors(std::vector<KeyValue> keys, PatchArgument& patch) {
@@ -76,8 +77,9 @@ void add_pixel(PatchArgument& patch, std::string_view text, const Number& number
   if (!has_sensor) ++patch.without_sensor;
 }
 
-/// Tekscan's ASCII files: lines KEY VALUE up to ASCII_DATA, then frames, each a line `Frame N` and its rows, up to `@@`. Takes the sides of a
-/// pixel from the header unless they are known, and one frame, which must be named if there are several. False if the file is none.
+/// Tekscan's ASCII files: lines KEY VALUE up to ASCII_DATA, then frames, each a line `Frame N` and its rows, up to
+/// `@@`. Takes the sides of a pixel from the header unless they are known, and one frame, which must be named if there
+/// are several. False if the file is none.
 bool read_tekscan(PatchArgument& patch, std::optional<double> frame) {
   if (!std::filesystem::is_regular_file(descriptor::path_of(patch.file))) return false;
   std::ifstream file(patch.file);
@@ -85,7 +87,9 @@ bool read_tekscan(PatchArgument& patch, std::optional<double> frame) {
   std::size_t number = 0;
   const auto next = [&] { return ++number, static_cast<bool>(std::getline(file, line)); };
   if (!next() || !line.starts_with("DATA_TYPE")) return false;
-  const auto in_place = [&](const auto& work) { return with_prefix(patch.file + ":" + std::to_string(number) + ":1: ", work); };
+  const auto in_place = [&](const auto& work) {
+    return with_prefix(patch.file + ":" + std::to_string(number) + ":1: ", work);
+  };
   double row_spacing = patch.y;
   double column_spacing = patch.x;
   const auto spacing = [&](std::string_view value) {
@@ -109,7 +113,8 @@ bool read_tekscan(PatchArgument& patch, std::optional<double> frame) {
     if (all.starts_with("Frame")) {
       const double index = in_place([&] { return read_number(trimmed(all.substr(5)), finite); });
       wanted = !frame || index == *frame;
-      if (wanted && ++frames > 1) in_place([] { throw std::invalid_argument("a second frame, expected frame=N, which says the one"); });
+      if (wanted && ++frames > 1)
+        in_place([] { throw std::invalid_argument("a second frame, expected frame=N, which says the one"); });
     } else if (wanted && !all.empty()) {
       const std::size_t before = patch.numbers.size();
       for (std::size_t begin = 0; begin <= all.size();) {
@@ -139,12 +144,14 @@ struct ImageFile {
   double skip = 0.0;  ///< fields of each row before the pixels
 };
 
-/// Whether the row that was read is a text such as a header: no number, and no pixel without sensor. Numbers between other separators are no text.
+/// Whether the row that was read is a text such as a header: no number, and no pixel without sensor. Numbers between
+/// other separators are no text.
 bool is_text(const CsvReader& reader) {
   constexpr std::string_view numeric = "+-.0123456789";
   for (std::size_t column = 0; column < reader.field_count(); ++column) {
     const std::string_view text = reader.text(column);
-    if (text.empty() || text == "B" || numeric.find(text.front()) != std::string_view::npos || parse_number(text)) return false;
+    if (text.empty() || text == "B" || numeric.find(text.front()) != std::string_view::npos || parse_number(text))
+      return false;
   }
   return true;
 }
@@ -155,11 +162,13 @@ std::optional<std::pair<double, double>> size_in(const CsvReader& reader) {
   if (reader.field_count() != 2) return std::nullopt;
   const auto rows = parse_number(reader.text(0));
   const auto columns = parse_number(reader.text(1));
-  if (!rows || !columns || !whole.contains(*rows) || !whole.contains(*columns) || *rows * *columns == 2.0) return std::nullopt;
+  if (!rows || !columns || !whole.contains(*rows) || !whole.contains(*columns) || *rows * *columns == 2.0)
+    return std::nullopt;
   return std::pair(*rows, *columns);
 }
 
-/// With `columns`, or a first row with the size, each row of the file is a frame, flattened, of which `frame` selects one, counted from 1.
+/// With `columns`, or a first row with the size, each row of the file is a frame, flattened, of which `frame` selects
+/// one, counted from 1.
 void read_pixels(PatchArgument& patch, ImageFile of) {
   if (!of.columns && read_tekscan(patch, of.frame)) return;
   CsvReader reader(patch.file);
@@ -188,7 +197,8 @@ void read_pixels(PatchArgument& patch, ImageFile of) {
     }
     ++row;
     if (of.frame && !of.columns)
-      throw std::invalid_argument("frame: only with columns=N, or for a file of Tekscan's, which begins with DATA_TYPE");
+      throw std::invalid_argument(
+          "frame: only with columns=N, or for a file of Tekscan's, which begins with DATA_TYPE");
     if (of.columns && of.frame && static_cast<double>(row) != *of.frame) continue;
     if (skip >= reader.field_count())
       throw reader.complaint(0, "a row of " + std::to_string(reader.field_count()) + " fields, skip leaves none");
@@ -207,7 +217,8 @@ void read_pixels(PatchArgument& patch, ImageFile of) {
   }
   if (texts > 0) patch.notes.push_back(std::to_string(texts) + (texts == 1 ? " row" : " rows") + " of text skipped");
   if (patch.numbers.empty())
-    throw std::invalid_argument(patch.file + ": no frame " + format_number(of.frame.value_or(1.0)) + " of " + std::to_string(row));
+    throw std::invalid_argument(patch.file + ": no frame " + format_number(of.frame.value_or(1.0)) + " of " +
+                                std::to_string(row));
 }
 
 /// `0.0005`, or `0.004x0.005`: along x and along y.
@@ -223,7 +234,8 @@ PatchArgument parse(std::string_view kind, std::string_view rest) {
   if (kind == "points" || kind == "polygon") {
     patch.file = split_file(kind, rest, items);
     read_key_values(items, with_factors({}, patch));
-    read_columns(patch, kind == "points" ? std::vector<std::string>{"x", "y", "load"} : std::vector<std::string>{"x", "y"});
+    read_columns(patch,
+                 kind == "points" ? std::vector<std::string>{"x", "y", "load"} : std::vector<std::string>{"x", "y"});
   } else if (kind == "image") {
     patch.file = split_file(kind, rest, items);
     ImageFile of;
@@ -232,16 +244,18 @@ PatchArgument parse(std::string_view kind, std::string_view rest) {
       of.columns = read_number(text, Range{1.0, 1e6, "a whole number from 1", true});
     };
     const auto take_floor = [&](std::string_view text) { patch.floor = read_number(text, non_negative); };
-    read_key_values(items, with_factors({{"pixel", [&](std::string_view text) { read_pixel(text, patch); }, false, "SIDE or XxY"},
-                                         {"columns", take_columns, false, "N"},
-                                         {"frame", take_frame, false, "N"},
-                                         number_key("skip", of.skip, Range{0.0, 1e6, "a whole number", true}, false),
-                                         {"floor", take_floor, false, "P"}},
-                                        patch));
+    read_key_values(
+        items, with_factors({{"pixel", [&](std::string_view text) { read_pixel(text, patch); }, false, "SIDE or XxY"},
+                             {"columns", take_columns, false, "N"},
+                             {"frame", take_frame, false, "N"},
+                             number_key("skip", of.skip, Range{0.0, 1e6, "a whole number", true}, false),
+                             {"floor", take_floor, false, "P"}},
+                            patch));
     read_pixels(patch, of);
     if (patch.x == 0.0 || patch.y == 0.0) throw std::invalid_argument("no pixel=…, expected the sides of a pixel [m]");
   } else if (kind == "rectangle") {
-    read_key_values(rest, with_factors({number_key("x", patch.x, positive), number_key("y", patch.y, positive)}, patch));
+    read_key_values(rest,
+                    with_factors({number_key("x", patch.x, positive), number_key("y", patch.y, positive)}, patch));
   } else if (kind == "ellipse") {
     double rim = 0.0;
     const auto take_law = [&patch](std::string_view text) { patch.law = text; };
@@ -306,8 +320,9 @@ std::vector<std::string> PatchArgument::remarks(const Patch& made) const {
   const std::size_t rows = columns == 0 ? 0 : numbers.size() / columns;
   constexpr std::size_t slender = 20;
   if (kind == "image" && (columns > slender * rows || frames_in_blocks)) {
-    lines.push_back("warning: " + about + "a picture of " + std::to_string(rows) + " rows of " + std::to_string(columns) + " pixels" +
-                    (frames_in_blocks ? " in blocks" : "") + ": is it one frame? columns=N[,frame=K] reads a frame a row");
+    lines.push_back("warning: " + about + "a picture of " + std::to_string(rows) + " rows of " +
+                    std::to_string(columns) + " pixels" + (frames_in_blocks ? " in blocks" : "") +
+                    ": is it one frame? columns=N[,frame=K] reads a frame a row");
   }
   if (text.empty()) return lines;
   UnitChecks questions;
@@ -356,8 +371,8 @@ Patch read_patch(const std::string& text, Messages& messages) {
 void note_factor(Messages& messages, const Patch& patch) {
   const auto [mx, my] = patch.factors();
   if (mx == 1.0 && my == 1.0) return;
-  messages.say("limitcurve: note: friction factors mx = " + format_number(mx) + ", my = " + format_number(my) + ": a disc has " +
-               format_number(disc_factor(patch)) + " times mu");
+  messages.say("limitcurve: note: friction factors mx = " + format_number(mx) + ", my = " + format_number(my) +
+               ": a disc has " + format_number(disc_factor(patch)) + " times mu");
 }
 
 }  // namespace limitcurve::cli

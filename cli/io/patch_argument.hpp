@@ -36,7 +36,8 @@ struct PatchArgument {
 
   /// Throws std::invalid_argument with text, file and the place of the error in it.
   [[nodiscard]] Patch patch() const;
-  /// What a user must know of the patch `made`, and what is to be asked: "note: …", "warning: …". The unit of arrays is not asked.
+  /// What a user must know of the patch `made`, and what is to be asked: "note: …", "warning: …". The unit of arrays is
+  /// not asked.
   [[nodiscard]] std::vector<std::string> remarks(const Patch& made) const;
 
  private:
@@ -48,20 +49,22 @@ struct PatchArgument {
 class MemoryPatch : public MemoryColumns {
  public:
   /// `name` stands for the patch in messages and in columns.
-  MemoryPatch(std::string name, PatchArgument patch) : MemoryColumns(std::move(name), {}, {}, {}), patch_(std::move(patch)) {}
+  MemoryPatch(std::string name, PatchArgument patch)
+      : MemoryColumns(std::move(name), {}, {}, {}), patch_(std::move(patch)) {}
   [[nodiscard]] const PatchArgument& patch() const { return patch_; }
 
  private:
   PatchArgument patch_;
 };
 
-/// Reads a patch from a command line: `points:FILE.csv` (columns x,y,load), `polygon:FILE.csv` (x,y), `rectangle:x=0.02,y=0.01` (full
-/// sides), `ellipse:law=hertz,a=0.004,b=0.002`, `image:FILE.csv,pixel=0.0005` (rows of pressures, no header; `pixel=0.004x0.005` along x
-/// and y), each with `,mx=…,my=…` if friction differs along x and y. An empty pixel, `B` or `nan` has no sensor, and counts as without
-/// pressure. With
-/// `columns=32`, or if the first row is the size `32,32`, each row of an image is a frame, flattened; `frame=2` says which of the frames.
-/// `skip=1` leaves out the first field of each row, a time; rows of text before the numbers are skipped. Negative pressures are noise;
-/// `floor=P` says up to which pressure. An image may be an ASCII file of Tekscan's, whose header has the sides of a pixel. Throws std::invalid_argument with the place of the error in the text or in the file.
+/// Reads a patch from a command line: `points:FILE.csv` (columns x,y,load), `polygon:FILE.csv` (x,y),
+/// `rectangle:x=0.02,y=0.01` (full sides), `ellipse:law=hertz,a=0.004,b=0.002`, `image:FILE.csv,pixel=0.0005` (rows of
+/// pressures, no header; `pixel=0.004x0.005` along x and y), each with `,mx=…,my=…` if friction differs along x and y.
+/// An empty pixel, `B` or `nan` has no sensor, and counts as without pressure. With `columns=32`, or if the first row
+/// is the size `32,32`, each row of an image is a frame, flattened; `frame=2` says which of the frames. `skip=1` leaves
+/// out the first field of each row, a time; rows of text before the numbers are skipped. Negative pressures are noise;
+/// `floor=P` says up to which pressure. An image may be an ASCII file of Tekscan's, whose header has the sides of a
+/// pixel. Throws std::invalid_argument with the place of the error in the text or in the file.
 PatchArgument parse_patch(const std::string& text);
 /// The patch itself; says its remarks.
 Patch read_patch(const std::string& text, Messages& messages);

@@ -99,7 +99,8 @@ void Rows::gather(Column::Kind kind, double number) {
 
 void Rows::cell(double number) {
   if (results_.columns != nullptr) return gather(Column::Kind::number, number);
-  if (results_.format == Format::table) return literal(format_number(number, digits_of(columns_.at(column_))), std::isfinite(number));
+  if (results_.format == Format::table)
+    return literal(format_number(number, digits_of(columns_.at(column_))), std::isfinite(number));
   begin_cell();
   const std::string text = format_number(number);
   results_.output.write(results_.format == Format::json && !std::isfinite(number) ? '"' + text + '"' : text);
@@ -136,7 +137,8 @@ void Rows::finish() {
   if (results_.columns != nullptr) return;
   if (results_.format == Format::table) {
     write_table();
-    for (std::size_t i = 0; i < remarks_.size(); ++i) results_.output.write('[' + std::to_string(i + 1) + "] " + remarks_[i] + "\n");
+    for (std::size_t i = 0; i < remarks_.size(); ++i)
+      results_.output.write('[' + std::to_string(i + 1) + "] " + remarks_[i] + "\n");
   }
   if (results_.format == Format::json) results_.output.write(first_row_ ? "]\n" : "\n]\n");
   results_.output.flush();

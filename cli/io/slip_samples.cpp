@@ -33,7 +33,8 @@ std::vector<fit::Sample> read_slip_samples(const std::string& file, const FileCo
 
 std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio_data(const std::string& file,
                                                                                       const FileColumns& file_columns) {
-  const std::vector<std::string> columns{"load", "force", "moment", "sigma_force", "sigma_moment", "ratio", "ratio_sd", "n"};
+  const std::vector<std::string> columns{"load",         "force", "moment",   "sigma_force",
+                                         "sigma_moment", "ratio", "ratio_sd", "n"};
   constexpr std::size_t ratio = 5;
   CsvReader reader(file, {}, columns, file_columns, "load,force,moment or ratio,ratio_sd");
   const auto require = [&](std::size_t column) {
@@ -53,16 +54,17 @@ std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio
 }
 
 fit::LoadSamples read_load_samples(const std::string& file, const FileColumns& columns) {
-  CsvReader reader(file, {"load"}, {"radius", "moment", "sigma_radius", "sigma_moment"}, columns, "load,radius or load,moment");
+  CsvReader reader(file, {"load"}, {"radius", "moment", "sigma_radius", "sigma_moment"}, columns,
+                   "load,radius or load,moment");
   if (reader.has(1) == reader.has(2))
-    throw reader.complaint_at(0,
-                              std::string("got ") + (reader.has(1) ? "both" : "none") + " of the columns radius and moment, expected one");
+    throw reader.complaint_at(
+        0, std::string("got ") + (reader.has(1) ? "both" : "none") + " of the columns radius and moment, expected one");
   const std::size_t value = reader.has(1) ? 1 : 2;
   const std::size_t sigma = value + 2;
   fit::LoadSamples samples{value == 1 ? fit::LoadSamples::Quantity::radius : fit::LoadSamples::Quantity::moment, {}};
   while (reader.next()) {
-    samples.samples.push_back(
-        {reader.number(0, positive), reader.number(value, positive), reader.has(sigma) ? reader.number(sigma, positive) : 0.0});
+    samples.samples.push_back({reader.number(0, positive), reader.number(value, positive),
+                               reader.has(sigma) ? reader.number(sigma, positive) : 0.0});
   }
   return samples;
 }
@@ -74,7 +76,8 @@ std::vector<fit::Push> read_pushes(const std::string& file, const FileColumns& c
     const auto number = [&reader](std::size_t column) { return reader.number(column, finite); };
     pushes.push_back({{number(0), number(1), number(2)}, {number(3), number(4), number(5)}});
     const PatchTwist& moved = pushes.back().displacement;
-    if (moved.vx == 0.0 && moved.vy == 0.0 && moved.omega == 0.0) throw reader.complaint(3, "no displacement, expected a push that slides");
+    if (moved.vx == 0.0 && moved.vy == 0.0 && moved.omega == 0.0)
+      throw reader.complaint(3, "no displacement, expected a push that slides");
   }
   return pushes;
 }

@@ -15,11 +15,12 @@ namespace limitcurve::cli {
 
 /// Of all of these: `columns` are the names and units of the file.
 
-/// Reads slips from a CSV of load,force,moment[,sigma_force,sigma_moment]. Throws std::invalid_argument with the place of the error.
+/// Reads slips from a CSV of load,force,moment[,sigma_force,sigma_moment]. Throws std::invalid_argument with the place
+/// of the error.
 std::vector<fit::Sample> read_slip_samples(const std::string& file, const FileColumns& columns = {});
 
-/// Reads the data of `fit ratio`: slips as above, or, from a CSV without load, one published ratio,ratio_sd[,n] of a material a row. Throws
-/// likewise.
+/// Reads the data of `fit ratio`: slips as above, or, from a CSV without load, one published ratio,ratio_sd[,n] of a
+/// material a row. Throws likewise.
 std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio_data(const std::string& file,
                                                                                       const FileColumns& columns = {});
 

@@ -8,8 +8,8 @@
 
 namespace limitcurve::cli {
 
-/// A law's wrench at s = c/a in the given units, with the error that `eval` and Law.evaluate state: the law's own, the change of the curve
-/// due to the rounding of s, and half a unit in the last place for each rounding of the scaling.
+/// A law's wrench at s = c/a in the given units, with the error that `eval` and Law.evaluate state: the law's own, the
+/// change of the curve due to the rounding of s, and half a unit in the last place for each rounding of the scaling.
 inline WrenchEstimate in_units(const WrenchEstimate& unit, double s, double force_unit, double moment_unit) noexcept {
   constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
   s = std::fabs(s);

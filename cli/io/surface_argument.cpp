@@ -43,7 +43,8 @@ SurfaceArgument read_capsule(std::string_view text) {
   double length = 0.0;
   read_key_values(text, {number_key("radius", radius, positive), number_key("length", length, non_negative)});
   return {AnySurface(godobject::CapsuleSurface(radius, 0.5 * length)),
-          [=](double mass) { return BodyParameters::capsule(mass, radius, length); }, size_warning("capsule", length + 2.0 * radius)};
+          [=](double mass) { return BodyParameters::capsule(mass, radius, length); },
+          size_warning("capsule", length + 2.0 * radius)};
 }
 
 SurfaceArgument read_cylinder(std::string_view text) {
@@ -57,9 +58,10 @@ SurfaceArgument read_cylinder(std::string_view text) {
 
 SurfaceArgument read_box(std::string_view text) {
   Eigen::Vector3d edges = Eigen::Vector3d::Zero();
-  read_key_values(text, {number_key("x", edges.x(), positive), number_key("y", edges.y(), positive), number_key("z", edges.z(), positive)});
-  return {AnySurface(godobject::BoxSurface(0.5 * edges)), [=](double mass) { return BodyParameters::block(mass, edges); },
-          size_warning("box", edges.maxCoeff())};
+  read_key_values(text, {number_key("x", edges.x(), positive), number_key("y", edges.y(), positive),
+                         number_key("z", edges.z(), positive)});
+  return {AnySurface(godobject::BoxSurface(0.5 * edges)),
+          [=](double mass) { return BodyParameters::block(mass, edges); }, size_warning("box", edges.maxCoeff())};
 }
 
 }  // namespace
@@ -73,17 +75,19 @@ SurfaceArgument read_surface(const std::string& text) {
   if (kind == "cylinder") return read_cylinder(rest);
   if (kind == "box") return read_box(rest);
   if (kind == "mesh") {
-    throw std::invalid_argument(
-        "got '" + text +
-        "': meshes are left to other software: let CHAI3D (haptics) or Bullet (bodies under load; neither rejects an open "
-        "solid) find the contact, and give it to a SoftFinger as a Contact, or to replay over the plane, as columns x, y, "
-        "z = -depth, twist");
+    throw std::invalid_argument("got '" + text +
+                                "': meshes are left to other software: let CHAI3D (haptics) or Bullet (bodies under "
+                                "load; neither rejects an open "
+                                "solid) find the contact, and give it to a SoftFinger as a Contact, or to replay over "
+                                "the plane, as columns x, y, "
+                                "z = -depth, twist");
   }
   throw std::invalid_argument(
       "got '" + text +
       "', expected plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, cylinder:radius=0.02,length=0.1, "
       "or box:x=0.12,y=0.04,z=0.04" +
-      did_you_mean(kind, {"plane", "sphere", "capsule", "cylinder", "box"}, std::string_view(text).substr(kind.size())));
+      did_you_mean(kind, {"plane", "sphere", "capsule", "cylinder", "box"},
+                   std::string_view(text).substr(kind.size())));
 }
 
 }  // namespace limitcurve::cli

@@ -34,19 +34,21 @@ std::string quoted(std::string_view name) {
   const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
   const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::string what = before.size() >= text.size() ? "the file ends within the table, expected more" : "not JSON from here on";
+  const std::string what =
+      before.size() >= text.size() ? "the file ends within the table, expected more" : "not JSON from here on";
   fail(source + ':' + std::to_string(line) + ':' + std::to_string(before.size() - line_start + 1), what);
 }
 
-const json& member(const json& whole, const char* name, bool (json::*is_kind)() const noexcept, const std::string& source,
-                   const std::string& kind) {
+const json& member(const json& whole, const char* name, bool (json::*is_kind)() const noexcept,
+                   const std::string& source, const std::string& kind) {
   const auto found = whole.find(name);
   if (found == whole.end()) fail(source, "no member " + quoted(name) + ", expected " + kind);
   if (!((*found).*is_kind)()) fail(source, quoted(name) + " is not " + kind);
   return *found;
 }
 
-/// The beginning of a wrong row, for an error message. A nested value is only named: its depth is limited by the file alone.
+/// The beginning of a wrong row, for an error message. A nested value is only named: its depth is limited by the file
+/// alone.
 std::string shown(const json& row) {
   const auto is_flat = [](const json& item) { return item.is_primitive(); };
   if (!std::all_of(row.begin(), row.end(), is_flat)) return std::string("a nested ") + row.type_name();
@@ -85,9 +87,14 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
     fail(source, "a number that no double can hold");
   }
   const json format = whole.is_object() ? whole.value("format", json()) : json();
-  if (format != expected_format) fail(source, "not a table: expected an object with \"format\": " + quoted(expected_format));
-  const auto text_of = [&](const char* name) { return member(whole, name, &json::is_string, source, "a text").get<std::string>(); };
-  const auto number = [&](const char* name) { return member(whole, name, &json::is_number, source, "a number").get<double>(); };
+  if (format != expected_format)
+    fail(source, "not a table: expected an object with \"format\": " + quoted(expected_format));
+  const auto text_of = [&](const char* name) {
+    return member(whole, name, &json::is_string, source, "a text").get<std::string>();
+  };
+  const auto number = [&](const char* name) {
+    return member(whole, name, &json::is_number, source, "a number").get<double>();
+  };
   if (whole.contains(old_error_key)) fail(source, old_key_message(text_of("law"), number("tolerance")));
   const TableContents contents{.law = text_of("law"),
                                .tolerance = number("tolerance"),
@@ -99,7 +106,8 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
                                .inside = side(whole, "inside", source),
                                .outside = side(whole, "outside", source)};
   const json row_columns = json::array({"x", "force", "moment", "c0", "c1", "c2", "c3", "c4", "c5", "c6"});
-  if (const json& columns = member(whole, "columns", &json::is_array, source, "an array of names"); columns != row_columns) {
+  if (const json& columns = member(whole, "columns", &json::is_array, source, "an array of names");
+      columns != row_columns) {
     fail(source, "\"columns\" is " + shown(columns) + ", expected " + row_columns.dump());
   }
   return table_of(contents, text_of("checksum"), source);

@@ -27,7 +27,8 @@ std::string read_whole(const std::string& file) {
   std::string chunk(1U << 16U, '\0');
   while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), stream.gcount() > 0) {
     text.append(chunk, 0, static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > longest_file) throw std::invalid_argument(file + ":1:1: not a table: longer than any that 'limitcurve table' writes");
+    if (text.size() > longest_file)
+      throw std::invalid_argument(file + ":1:1: not a table: longer than any that 'limitcurve table' writes");
   }
   if (stream.bad()) throw std::runtime_error(system_complaint("read", file));
   return text;

@@ -8,8 +8,8 @@
 
 namespace limitcurve::cli {
 
-/// Reads a table that `limitcurve table` wrote, as .csv or .json by the file's name. Throws std::invalid_argument with file, place and
-/// cause if the file is truncated, edited or no table.
+/// Reads a table that `limitcurve table` wrote, as .csv or .json by the file's name. Throws std::invalid_argument with
+/// file, place and cause if the file is truncated, edited or no table.
 limitcurve::Table read_table(const std::string& file);
 
 /// Reads a table from JSON `text`; error messages call it `source`.

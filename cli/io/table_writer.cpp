@@ -19,13 +19,15 @@ TableWriter table_writer(const std::string& file, const std::string& option, con
     throw std::invalid_argument("name '" + name + "' for the file '" + file +
                                 "': expected one that ends in .h or .hpp, only headers have names");
   }
-  if (is_single) throw std::invalid_argument("--real float: got the file '" + file + "', expected one that ends in .h or .hpp");
+  if (is_single)
+    throw std::invalid_argument("--real float: got the file '" + file + "', expected one that ends in .h or .hpp");
   if (extension == ".csv") return [](const limitcurve::Table& table) { return to_csv(table); };
   if (extension == ".json") {
     return [option](const limitcurve::Table& table) {
       std::string text = to_json(table);
       if (!nlohmann::json::accept(text))
-        throw std::invalid_argument(option + ": the law's name is not UTF-8, as JSON must be, expected a file that ends in .csv");
+        throw std::invalid_argument(
+            option + ": the law's name is not UTF-8, as JSON must be, expected a file that ends in .csv");
       return text;
     };
   }

@@ -18,7 +18,8 @@ struct Width {
 
 /// Letters of UTF-8.
 std::size_t letters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char one) { return (one & 0xc0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char one) { return (one & 0xc0) != 0x80; }));
 }
 
 std::size_t point_of(std::string_view number) {

@@ -53,7 +53,8 @@ TraceReader::TraceReader(const std::string& file, std::size_t fingers, bool body
     if (reader_.has(twist) || has_all(twist + 1, 4)) continue;
     const std::string number = suffix(i);
     if (reader_.has(twist + 1) || reader_.has(twist + 2) || reader_.has(twist + 3) || reader_.has(twist + 4)) {
-      throw reader_.no_column("'twist" + number + "', nor all of qw" + number + ",qx" + number + ",qy" + number + ",qz" + number);
+      throw reader_.no_column("'twist" + number + "', nor all of qw" + number + ",qx" + number + ",qy" + number +
+                              ",qz" + number);
     }
     missing_twists_.push_back("twist" + number);
   }
@@ -101,8 +102,8 @@ Eigen::Vector3d TraceReader::position(std::size_t column) const {
 }
 
 Eigen::Quaterniond TraceReader::orientation(std::size_t column) const {
-  const Eigen::Quaterniond result(reader_.number(column, finite), reader_.number(column + 1, finite), reader_.number(column + 2, finite),
-                                  reader_.number(column + 3, finite));
+  const Eigen::Quaterniond result(reader_.number(column, finite), reader_.number(column + 1, finite),
+                                  reader_.number(column + 2, finite), reader_.number(column + 3, finite));
   // Devices round; a larger difference means that this is no rotation.
   if (const double length = result.norm(); !(std::abs(length - 1.0) <= 1e-3)) {
     throw reader_.complaint(column, "the quaternion has length " + format_number(length) + ", expected 1");

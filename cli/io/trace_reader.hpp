@@ -15,9 +15,9 @@ namespace limitcurve::cli {
 
 /// Reads a recorded motion of fingers, and of the touched body if that is recorded, too.
 ///
-/// Columns: time [s]; x,y,z [m] of the first finger, x2,y2,z2 of the second and so on; twist [rad] about the contact normal, or
-/// qw,qx,qy,qz (a unit quaternion, finger to world), both followed by the finger's number (a finger without either does not twist);
-/// bx,by,bz [m] of the body, and bqw,bqx,bqy,bqz (body to world), optional if it does not turn.
+/// Columns: time [s]; x,y,z [m] of the first finger, x2,y2,z2 of the second and so on; twist [rad] about the contact
+/// normal, or qw,qx,qy,qz (a unit quaternion, finger to world), both followed by the finger's number (a finger without
+/// either does not twist); bx,by,bz [m] of the body, and bqw,bqx,bqy,bqz (body to world), optional if it does not turn.
 class TraceReader {
  public:
   TraceReader(const std::string& file, std::size_t fingers, bool body_moves, const FileColumns& columns = {});

@@ -17,14 +17,16 @@ void UnitChecks::note(First& first, const Text& text) {
 
 void UnitChecks::load(double load) {
   constexpr double most = 1000.0;
-  if (load > most && std::isfinite(load)) note(loads_, [&] { return "a load of " + format_number(load, 6) + " N: is it in newtons?"; });
+  if (load > most && std::isfinite(load))
+    note(loads_, [&] { return "a load of " + format_number(load, 6) + " N: is it in newtons?"; });
 }
 
 void UnitChecks::wrench(double force, double moment) {
   constexpr double large = 0.2;  // [N m], and the arm [m]
   if (std::fabs(moment) <= large || !(std::fabs(moment) > large * std::fabs(force))) return;
   note(wrenches_, [&] {
-    return "a moment of " + format_number(moment, 6) + " N m beside a force of " + format_number(force, 6) + " N: are they in N m and N?";
+    return "a moment of " + format_number(moment, 6) + " N m beside a force of " + format_number(force, 6) +
+           " N: are they in N m and N?";
   });
 }
 
@@ -39,13 +41,15 @@ void UnitChecks::twist(double before, double now, double time) {
   if (!(step > 1.0)) return;
   if (std::fabs(step - turn) < 1.0 && std::fabs(now) <= turn && std::fabs(before) <= turn) return;
   note(twists_, [&] {
-    return "the twist changes by " + format_number(step, 6) + " rad up to time " + format_number(time, 6) + " s: is it in radians?";
+    return "the twist changes by " + format_number(step, 6) + " rad up to time " + format_number(time, 6) +
+           " s: is it in radians?";
   });
 }
 
 void UnitChecks::angle(const std::string& what, double angle, std::string_view text) {
   if (std::fabs(angle) <= 2.0 * std::numbers::pi || text.ends_with("deg") || text.ends_with("rad")) return;
-  others_.push_back(what + " = " + format_number(angle) + " rad: is it in radians? " + format_number(angle) + "deg is in degrees");
+  others_.push_back(what + " = " + format_number(angle) + " rad: is it in radians? " + format_number(angle) +
+                    "deg is in degrees");
 }
 
 void UnitChecks::radii(const RadiusLaw& law, std::span<const double> loads) {
@@ -69,8 +73,9 @@ void UnitChecks::radii(const RadiusLaw& law, std::span<const double> loads) {
   }
   const auto [first, last] = law.sampled_loads();
   if (least < first || most > last) {
-    others_.push_back("the radius law is extrapolated: its samples have loads from " + format_number(first) + " to " + format_number(last) +
-                      " N, it is used from " + format_number(least) + " to " + format_number(most) + " N");
+    others_.push_back("the radius law is extrapolated: its samples have loads from " + format_number(first) + " to " +
+                      format_number(last) + " N, it is used from " + format_number(least) + " to " +
+                      format_number(most) + " N");
   }
 }
 

@@ -11,7 +11,8 @@
 
 namespace limitcurve::cli {
 
-/// Asks whether numbers are in metres, newtons and radians, and whether two columns are swapped: they are far outside what a fingertip has.
+/// Asks whether numbers are in metres, newtons and radians, and whether two columns are swapped: they are far outside
+/// what a fingertip has.
 class UnitChecks {
  public:
   /// Normal loads [N]: above 1000 N.
@@ -20,7 +21,8 @@ class UnitChecks {
   void wrench(double force, double moment);
   /// A force under a load [N]: the larger of both in more than half of the calls.
   void force_under(double load, double force);
-  /// The twist [rad] of a sample: more than 1 rad from `before`, unless both are within a turn and it wraps around. NaN: no sample before.
+  /// The twist [rad] of a sample: more than 1 rad from `before`, unless both are within a turn and it wraps around.
+  /// NaN: no sample before.
   void twist(double before, double now, double time);
   /// An angle [rad] read from `text`: more than a turn without a unit.
   void angle(const std::string& what, double angle, std::string_view text);

@@ -4,15 +4,16 @@
     make_sensor_log.py            write the CSV files beside this script
     make_sensor_log.py --check    compare them with the files instead; exit 1 if one differs
 
-A silicone finger presses on a plate at 40 loads in turn. Each trial lasts one second: the finger is dragged and twisted about its own
-centre of rotation, sticks while force and moment grow, then slips on the exact Hertz limit curve. The
-sensor has Gaussian noise and a resolution; an encoder on the plate gives slide and twist. A sample is a slip if the encoder moves,
-which is sometimes wrong near the onset, as in reality: those samples lie inside the limit curve.
+A silicone finger presses on a plate at 40 loads in turn. Each trial lasts one second: the finger is dragged and twisted
+about its own centre of rotation, sticks while force and moment grow, then slips on the exact Hertz limit curve. The
+sensor has Gaussian noise and a resolution; an encoder on the plate gives slide and twist. A sample is a slip if the
+encoder moves, which is sometimes wrong near the onset, as in reality: those samples lie inside the limit curve.
 
-wrench_log.csv is what a force-torque sensor alone gives, as `rostopic echo -p` writes it: pushes of the same kind by a finger of constant
-radius, the load along -z of the sensor, rows of the empty gripper between the pushes.
+wrench_log.csv is what a force-torque sensor alone gives, as `rostopic echo -p` writes it: pushes of the same kind by a
+finger of constant radius, the load along -z of the sensor, rows of the empty gripper between the pushes.
 
-Standard library only; the seed is below. Numbers are rounded to the sensor's resolution, so that every machine writes the same bytes.
+Standard library only; the seed is below. Numbers are rounded to the sensor's resolution, so that every machine writes
+the same bytes.
 """
 
 import argparse
@@ -95,18 +96,23 @@ def slips(rows):
     for before, here in zip(rows, rows[1:]):
         if int(before[0]) != int(here[0]):
             continue
-        moved = max(abs(here[4] - before[4]) / (SLIDE_NOISE * math.sqrt(2)), abs(here[5] - before[5]) / (TWIST_NOISE * math.sqrt(2)))
+        moved = max(
+            abs(here[4] - before[4]) / (SLIDE_NOISE * math.sqrt(2)),
+            abs(here[5] - before[5]) / (TWIST_NOISE * math.sqrt(2)))
         if moved > 3.0:
             chosen.append(here)
     return chosen
 
 
 def wrench_log(noise):
-    """24 pushes of 1 s, 0.3 s of the empty gripper before each; force and moment grow for half a second, then the finger slips."""
+    """24 pushes of 1 s, 0.3 s of the empty gripper before each; force and moment grow for half a second, then the
+    finger slips."""
     rate, pushes, mu, mu_r, height = 50, 24, 0.6, 0.00212, 0.03
     names = [f"field.wrench.{part}.{axis}" for part in ("force", "torque") for axis in "xyz"]
-    lines = [f"# Synthetic, not measured: made by make_sensor_log.py from mu = {mu}, mu_r = {mu_r} m and the Hertz law.\n",
-             ",".join(["%time", "field.header.seq", "field.header.stamp", "field.header.frame_id", *names]) + "\n"]
+    lines = [
+        f"# Synthetic, not measured: made by make_sensor_log.py from mu = {mu}, mu_r = {mu_r} m and the Hertz law.\n",
+        ",".join(["%time", "field.header.seq", "field.header.stamp", "field.header.frame_id", *names]) + "\n"
+    ]
     stamp = 1_700_000_000_000_000_000
     for push in range(pushes):
         full = 1.0 + 5.0 * push / (pushes - 1)
@@ -115,12 +121,15 @@ def wrench_log(noise):
         direction = 2.4 * push
         for k in range(-15, rate):
             load, grip = (full, min(2.0 * k / rate, 1.0)) if k >= 0 else (-0.02, 0.0)
-            force, moment = grip * mu * load * unit_force, (-1) ** push * grip * mu_r / MOMENT_RATIO * load * unit_moment
+            force, moment = grip * mu * load * unit_force, (
+                -1) ** push * grip * mu_r / MOMENT_RATIO * load * unit_moment
             fx, fy = force * math.cos(direction), force * math.sin(direction)
             wrench = [rounded(value + noise.gauss(0, 0.01), 0.001) for value in (fx, fy, -load)]
             wrench += [rounded(value + noise.gauss(0, 5e-5), 1e-5) for value in (-height * fy, height * fx, moment)]
             sequence = len(lines) - 2
-            lines.append(f"{stamp + sequence * 20_000_000},{sequence},{stamp + sequence * 20_000_000},ft_sensor,{','.join(wrench)}\n")
+            lines.append(
+                f"{stamp + sequence * 20_000_000},{sequence},{stamp + sequence * 20_000_000},ft_sensor,{','.join(wrench)}\n"
+            )
     return "".join(lines)
 
 
@@ -135,7 +144,8 @@ def files():
                    f"{rounded(slide, SLIDE_STEP)},{rounded(twist, TWIST_STEP)}\n")
     out["sensor_log.csv"] = "".join(log)
 
-    # The error of the load moves both limits. A fit assumes exact loads, so the sigmas include this error, from rough limits.
+    # The error of the load moves both limits. A fit assumes exact loads, so the sigmas include this error, from rough
+    # limits.
     sigma_force = math.hypot(FORCE_NOISE, 0.7 * LOAD_NOISE)
     table = [head, "load,force,moment,sigma_force,sigma_moment\n"]
     for _, load, force, moment, _, _ in slips(rows):

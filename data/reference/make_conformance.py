@@ -5,18 +5,20 @@
     make_conformance.py             write it (five minutes)
     make_conformance.py --check     compute it again and compare
 
-The reference shares nothing with the library: it has the laws' unit wrenches from mpmath (pressure_laws.py), hence the support
-function H(v, w) = v f + w m, and searches over all slip twists.
+The reference shares nothing with the library: it has the laws' unit wrenches from mpmath (pressure_laws.py), hence the
+support function H(v, w) = v f + w m, and searches over all slip twists.
 
     wrench   slide spin            -> force moment      the wrench that a twist slips at, of magnitudes
     gauge    force moment          -> gauge             max over twists of (F v + M w)/H(v, w)
-    closest  force moment chi      -> force moment      nearest point of the curve in f^2 + chi m^2, with the trial's signs;
+    closest  force moment chi      -> force moment      nearest point of the curve in f^2 + chi m^2, with the trial's
+             signs;
                                                         the trial itself inside the curve
-    hold     mu radius force moment -> load             least load whose limits, mu P and mu P a, hold the wrench; radius: a radius law
+    hold     mu radius force moment -> load             least load whose limits, mu P and mu P a, hold the wrench;
+             radius: a radius law
     margin   mu radius load force moment -> margin      1 - gauge of the wrench at this load, not less than 0
 
-Numbers are unit wrenches, in units of mu P and mu P a, but for hold and margin (SI). `nan` is an answer: a number that is none
-goes in. What is typed or read from a file is refused where it is not finite.
+Numbers are unit wrenches, in units of mu P and mu P a, but for hold and margin (SI). `nan` is an answer: a number that
+is none goes in. What is typed or read from a file is refused where it is not finite.
 """
 
 import argparse
@@ -62,7 +64,8 @@ class Curve:
         return self.known[s]
 
     def best(self, value):
-        """The spin fraction of the largest value(slide, spin, f, m): a scan, then golden sections. One hill is assumed."""
+        """The spin fraction of the largest value(slide, spin, f, m): a scan, then golden sections. One hill is
+        assumed."""
         def of(u):
             return value(1 - u, u, *self.at(1 - u, u))
 
@@ -170,8 +173,10 @@ def questions():
     signed = [(x * f, y * m) for f, m in plain for x in (1, -1) for y in (1, -1)]
     axes = [(0.0, 0.0), (-0.0, 0.0), (0.0, -0.0), (1.5, 0.0), (0.0, 1.5), (-1.5, -0.0), (1.0, 1.0), (-1.0, 1.0)]
     tiny = [(5e-324, 5e-324), (1e-300, 1e-300), (1e300, 1e300), (1e300, 1e-300), (1e-300, 1e300), (-1e300, 0.0)]
-    none = [pair for x in SPECIAL for y in (0.0, 0.3) for pair in ((x, y), (y, x))] + [(math.nan, math.nan), (math.nan, math.inf)]
-    trials = [(2.0, 0.1), (-2.0, 0.1), (2.0, -0.1), (1.5, 0.0), (0.0, 1.5), (-1.1, 0.0), (0.0, -1.1), (0.0, 0.0), (0.3, -0.2), (1.155, 0.573)]
+    none = [pair for x in SPECIAL for y in (0.0, 0.3) for pair in ((x, y), (y, x))] + [(math.nan, math.nan),
+                                                                                       (math.nan, math.inf)]
+    trials = [(2.0, 0.1), (-2.0, 0.1), (2.0, -0.1), (1.5, 0.0), (0.0, 1.5), (-1.1, 0.0), (0.0, -1.1), (0.0, 0.0),
+              (0.3, -0.2), (1.155, 0.573)]
     for law in LAWS:
         usual, slow = law == "hertz", law.startswith("xydas")
         for quantity in "wrench", "gauge":
@@ -181,9 +186,11 @@ def questions():
             for pair in trials if usual else trials[3:5] + trials[-1:] if chi in (0.1, 76.823) else ():
                 yield "closest", law, (*pair, chi)
         if usual:
-            for pair in ((math.nan, 0.1), (0.1, math.nan), (math.inf, 0.1), (0.1, -math.inf), (1e-300, 0.0), (1e30, 1e30), (1e300, 1e300)):
+            for pair in ((math.nan, 0.1), (0.1, math.nan), (math.inf, 0.1), (0.1, -math.inf), (1e-300, 0.0),
+                         (1e30, 1e30), (1e300, 1e300)):
                 yield "closest", law, (*pair, 1.0)
-            yield from (("closest", law, of) for of in ((2.0, 0.1, math.nan), (2e38, -2e38, 1e3), (1e37, 0.1, 1e-3), (0.1, 1e37, 1e3), (1e306, 0.1, 1e-3), (0.1, -1e306, 1e3)))
+            yield from (("closest", law, of) for of in ((2.0, 0.1, math.nan), (2e38, -2e38, 1e3), (1e37, 0.1, 1e-3),
+                                                        (0.1, 1e37, 1e3), (1e306, 0.1, 1e-3), (0.1, -1e306, 1e3)))
             for pair in ((0.0, 0.0), (math.nan, 0.0), (1.0, math.nan), (math.inf, 0.0), (1e-300, 0.0), (1e300, 0.0)):
                 yield "hold", law, (0.6, "constant:a=0.005", *pair)
         for radius in ("constant:a=0.005", "power:c=0.00207,gamma=0.259") if usual else ("constant:a=0.005",):
@@ -202,7 +209,9 @@ def number(value):
 
 def made():
     text = io.StringIO()
-    text.write("# Questions that every interface answers alike; arguments and answers are explained in reference/make_conformance.py.\n")
+    text.write(
+        "# Questions that every interface answers alike; arguments and answers are explained in reference/make_conformance.py.\n"
+    )
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(["quantity", "law", "arguments", "answer"])
     curves = {name: Curve(law) for name, law in LAWS.items()}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The functions that the page calls: the library's finger on a plate and its block between two fingers, for WebAssembly. One scene of each,
-// in static storage; numbers only. scripts/maintain/playground compiles it with the library's sources.
+// The functions that the page calls: the library's finger on a plate and its block between two fingers, for
+// WebAssembly. One scene of each, in static storage; numbers only. scripts/maintain/playground compiles it with the
+// library's sources.
 
 #include "godobject/scene/gripped_block.hpp"
 #include "limitcurve/approximations.hpp"
@@ -80,7 +81,8 @@ PLAYGROUND_EXPORT(use_table) void use_table(int inside, int outside) {
     const auto [x, c0, c1, c2, c3, c4, c5, c6] = rows[static_cast<std::size_t>(i)];
     Pieces::write_cell(i >= inside, x, {c0, c1, c2, c3, c4, c5, c6}, degree, cells.data() + 2 * pairs * i);
   }
-  last_cells = {static_cast<std::uint16_t>(pairs * (inside - 1)), static_cast<std::uint16_t>(pairs * (inside + outside - 1))};
+  last_cells = {static_cast<std::uint16_t>(pairs * (inside - 1)),
+                static_cast<std::uint16_t>(pairs * (inside + outside - 1))};
   CurveView<double> view;
   view.table = {.cells = cells.data(),
                 .cell_of_bucket = last_cells.data(),
@@ -88,7 +90,8 @@ PLAYGROUND_EXPORT(use_table) void use_table(int inside, int outside) {
                 .runs = {0, 1},
                 .first_cells = {0, pairs * inside},
                 .halvings = std::bit_width(static_cast<unsigned>(most_cells))};
-  view.set_scale(view.jet(true, 0.0).trailing, view.jet(false, 0.0).trailing, view.jet(false, 1.0).leading, view.jet(false, 1.0).trailing);
+  view.set_scale(view.jet(true, 0.0).trailing, view.jet(false, 0.0).trailing, view.jet(false, 1.0).leading,
+                 view.jet(false, 1.0).trailing);
   const FingerCurve curve(view, nullptr);
   curves = {curve, Ellipse::through_intercepts(curve.moment_ratio()), box(1.0, curve.moment_ratio())};
 }
@@ -100,11 +103,11 @@ PLAYGROUND_EXPORT(unit_wrench) void unit_wrench(int curve, double slide, double 
   values[1] = wrench.moment;
 }
 
-/// Gives the fingers another curve and other parameters; their motion continues. a(P) = coefficient·P^exponent; `projection` is a
-/// `Projection`.
+/// Gives the fingers another curve and other parameters; their motion continues. a(P) = coefficient·P^exponent;
+/// `projection` is a `Projection`.
 PLAYGROUND_EXPORT(set_finger)
-void set_finger(int curve, double mu, double coefficient, double exponent, double stiffness, double twist_stiffness, double damping,
-                double twist_damping, int projection) {
+void set_finger(int curve, double mu, double coefficient, double exponent, double stiffness, double twist_stiffness,
+                double damping, double twist_damping, int projection) {
   const FingerState state = finger.state();
   finger = SoftFinger(curves[static_cast<std::size_t>(curve)],
                       {.mu = mu,

@@ -18,4 +18,5 @@ def formula(translator, node, inline):
 
 
 def setup(app):
-    app.add_html_math_renderer("mathml", (lambda self, node: formula(self, node, True), None), (lambda self, node: formula(self, node, False), None))
+    app.add_html_math_renderer("mathml", (lambda self, node: formula(self, node, True), None),
+                               (lambda self, node: formula(self, node, False), None))

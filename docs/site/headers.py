@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The pages of declarations, build/reference/: of the headers that docs/reference.md lists, from Doxygen's XML, and of the Python package.
+"""The pages of declarations, build/reference/: of the headers that docs/reference.md lists, from Doxygen's XML, and of
+the Python package.
 
 `{header} limitcurve/law.hpp` is what a public header declares: first its words on the whole, then its declarations.
 """
@@ -50,7 +51,8 @@ class Header(DoxygenFileDirective):
 
 
 def declarations_of_a_namespace(renderer, node):
-    """The members of a namespace without its own description: Doxygen joins those of all headers, and Breathe repeats them in each."""
+    """The members of a namespace without its own description: Doxygen joins those of all headers, and Breathe repeats
+    them in each."""
     data = renderer.parse_compound(node.refid)
     definition = data.compounddef[0]
     definition.briefdescription = definition.detaileddescription = None
@@ -58,14 +60,22 @@ def declarations_of_a_namespace(renderer, node):
 
 
 def write_pages():
-    listed = re.findall(r"^\| \[`([\w/]+\.h(?:pp)?)`\]", (ROOT / "docs" / "reference.md").read_text(encoding="utf-8"), re.MULTILINE)
+    listed = re.findall(r"^\| \[`([\w/]+\.h(?:pp)?)`\]", (ROOT / "docs" / "reference.md").read_text(encoding="utf-8"),
+                        re.MULTILINE)
     FOLDER.mkdir(parents=True, exist_ok=True)
     for name, (title, folder) in MODULES.items():
-        mine = [header for header in listed if max((path for _, path in MODULES.values() if header.startswith(f"{path}/")), key=len) == folder]
-        parts = [f"# {title}", f"In words: [{folder}](../../{folder}/README.md). All headers: [reference](../../docs/reference.md)."]
+        mine = [
+            header for header in listed
+            if max((path for _, path in MODULES.values() if header.startswith(f"{path}/")), key=len) == folder
+        ]
+        parts = [
+            f"# {title}",
+            f"In words: [{folder}](../../{folder}/README.md). All headers: [reference](../../docs/reference.md)."
+        ]
         parts += [f"## `{header}`\n\n```{{header}} {header}\n```" for header in mine]
         (FOLDER / f"{name}.md").write_text("\n\n".join(parts) + "\n", encoding="utf-8")
-    found = importlib.util.find_spec("limitcurve")  # the folder of this name in the repository is no package, and has no origin
+    found = importlib.util.find_spec(
+        "limitcurve")  # the folder of this name in the repository is no package, and has no origin
     (FOLDER / "python.md").write_text(PYTHON if found and found.origin else NO_PYTHON, encoding="utf-8")
 
 

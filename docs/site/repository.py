@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The site's pages are the repository's Markdown files, its first page README.md: this module gives their names, adapts links to folders, and
-puts the sidebar (sidebar.txt) under the first page."""
+"""The site's pages are the repository's Markdown files, its first page README.md: this module gives their names, adapts
+links to folders, and puts the sidebar (sidebar.txt) under the first page."""
 
 import posixpath
 import re
@@ -11,12 +11,18 @@ import sphinx.application
 from sphinx.project import Project
 
 ROOT = Path(__file__).resolve().parents[2]
-FILES = set(subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split())
+FILES = set(
+    subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"],
+                   cwd=ROOT,
+                   capture_output=True,
+                   text=True,
+                   check=True).stdout.split())
 LINK = re.compile(r"(?<!!)\[((?:[^][]|\[[^]]*\])*)\]\(([^)#:\s]+)(#[^)\s]*)?\)")
 
 
 class PagesAtTheTop(Project):
-    """README.md is index.html, docs/drive.md drive.html, fit/README.md fit/README.html, build/reference/c.md (headers.py) reference/c.html."""
+    """README.md is index.html, docs/drive.md drive.html, fit/README.md fit/README.html, build/reference/c.md
+    (headers.py) reference/c.html."""
 
     def path2doc(self, filename):
         name = super().path2doc(filename)

@@ -25,14 +25,15 @@ struct Deepest : btCollisionWorld::ContactResultCallback {
   const btCollisionObject* tip;
   const btCollisionObject* object = nullptr;
   god::Contact contact;
-  btScalar addSingleResult(btManifoldPoint& p, const btCollisionObjectWrapper* a, int, int, const btCollisionObjectWrapper* b, int,
-                           int) override {
+  btScalar addSingleResult(btManifoldPoint& p, const btCollisionObjectWrapper* a, int, int,
+                           const btCollisionObjectWrapper* b, int, int) override {
     const bool swapped = b->getCollisionObject() == tip;  // with a compound shape
     const btCollisionObject* other = (swapped ? a : b)->getCollisionObject();
     if (other->hasContactResponse() && -p.getDistance() > contact.depth) {
       object = other;
       const btVector3 normal = swapped ? -p.m_normalWorldOnB : p.m_normalWorldOnB;
-      contact = {eigen(swapped ? p.getPositionWorldOnA() : p.getPositionWorldOnB()), eigen(normal).normalized(), -p.getDistance()};
+      contact = {eigen(swapped ? p.getPositionWorldOnA() : p.getPositionWorldOnB()), eigen(normal).normalized(),
+                 -p.getDistance()};
     }
     return 0;
   }
@@ -41,7 +42,9 @@ struct Deepest : btCollisionWorld::ContactResultCallback {
 /// A finger whose tip is a ball, which may sink in by its radius.
 class BallFinger {
  public:
-  BallFinger(const god::SoftFinger& finger, double radius) : finger_(finger), ball_(btScalar(radius)) { tip_.setCollisionShape(&ball_); }
+  BallFinger(const god::SoftFinger& finger, double radius) : finger_(finger), ball_(btScalar(radius)) {
+    tip_.setCollisionShape(&ball_);
+  }
 
   /// One step: force and moment on the user in the world's frame.
   god::FingerOutput update(btCollisionWorld& world, const btTransform& device, double dt) {
@@ -94,7 +97,9 @@ int main() {
   skin.mu = 0.6;
   skin.radius_law = lc::RadiusLaw::constant(0.006);
   BallFinger finger(god::SoftFinger(lc::Table::build(lc::hertz(), 1e-8), skin), 0.005);
-  const auto at = [](double x, double z) { return btTransform(btQuaternion::getIdentity(), {btScalar(x), 0, btScalar(z)}); };
+  const auto at = [](double x, double z) {
+    return btTransform(btQuaternion::getIdentity(), {btScalar(x), 0, btScalar(z)});
+  };
   const auto ratio = [](const god::FingerOutput& out) { return out.force.x() / (0.6 * out.load); };
 
   god::FingerOutput out;
@@ -107,11 +112,15 @@ int main() {
   }
   const double carried = ratio(out);
   out = finger.update(world, at(0.02, 0.027), 1e-3);  // to the ceiling in one step
-  std::printf("F/(mu P): slide %.6f, carried along %.6f, at another wall %.6f; load %.6f N\n", slide, carried, ratio(out), out.load);
+  std::printf("F/(mu P): slide %.6f, carried along %.6f, at another wall %.6f; load %.6f N\n", slide, carried,
+              ratio(out), out.load);
   const bool lands = out.force.norm() == 0 && std::abs(out.load - 2) < 1e-4;
   out = finger.update(world, at(5, 0.003), 1e-3);
   const bool lands_far = out.force.norm() == 0 && (out.whole_force() - Eigen::Vector3d(0, 0, 2)).norm() < 1e-4;
   for (int i = 0; i < 1000; ++i) out = finger.update(world, at(5 + 2e-5 * i, 0.003), 1e-3);
   std::printf("          on another body %.6f\n", ratio(out));
-  return std::abs(slide + 1) < 1e-5 && std::abs(carried - 1) < 1e-5 && lands && lands_far && std::abs(ratio(out) + 1) < 1e-4 ? 0 : 1;
+  return std::abs(slide + 1) < 1e-5 && std::abs(carried - 1) < 1e-5 && lands && lands_far &&
+                 std::abs(ratio(out) + 1) < 1e-4
+             ? 0
+             : 1;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A puck in Bullet that slides and spins on one soft pad until it rests: Bullet's solver pushes, without friction; limitcurve brakes.
+// A puck in Bullet that slides and spins on one soft pad until it rests: Bullet's solver pushes, without friction;
+// limitcurve brakes.
 #include "godobject/godobject.hpp"
 
 #include <btBulletDynamicsCommon.h>
@@ -22,11 +23,13 @@ struct SoftPad {
     double load = 0;  // by the last step's impulses
     for (int i = 0; i < world->getDispatcher()->getNumManifolds(); ++i) {
       const btPersistentManifold* touching = world->getDispatcher()->getManifoldByIndexInternal(i);
-      for (int j = 0; j < touching->getNumContacts(); ++j) load += touching->getContactPoint(j).getAppliedImpulse() / dt;
+      for (int j = 0; j < touching->getNumContacts(); ++j)
+        load += touching->getContactPoint(j).getAppliedImpulse() / dt;
     }
     const btVector3 x = pad.body->getWorldTransform().getOrigin();
     const btQuaternion q = pad.body->getWorldTransform().getRotation();
-    const auto out = pad.finger.update_under_load({x.x(), x.y(), 0}, {0, 0, 1}, load, god::Orientation(q.w(), q.x(), q.y(), q.z()), dt);
+    const auto out = pad.finger.update_under_load({x.x(), x.y(), 0}, {0, 0, 1}, load,
+                                                  god::Orientation(q.w(), q.x(), q.y(), q.z()), dt);
     pad.body->applyImpulse(dt * btVector3(btScalar(out.force.x()), btScalar(out.force.y()), 0), {0, 0, -x.z()});
     pad.body->applyTorqueImpulse({0, 0, dt * btScalar(out.moment)});
     pad.angle += dt * pad.body->getAngularVelocity().z();
@@ -43,7 +46,8 @@ int main() {
   btStaticPlaneShape plane({0, 0, 1}, 0);
   btRigidBody ground(0, nullptr, &plane);
   btCylinderShapeZ disc({btScalar(0.02), btScalar(0.02), btScalar(0.005)});
-  btRigidBody::btRigidBodyConstructionInfo info(btScalar(0.2), nullptr, &disc, {btScalar(1e-4), btScalar(1e-4), btScalar(2e-6)});
+  btRigidBody::btRigidBodyConstructionInfo info(btScalar(0.2), nullptr, &disc,
+                                                {btScalar(1e-4), btScalar(1e-4), btScalar(2e-6)});
   info.m_friction = 0;
   info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), {0, 0, btScalar(0.005)});
   btRigidBody puck(info);
@@ -67,6 +71,7 @@ int main() {
   pad.angle = 0;
   for (int i = 0; i < 300; ++i) world.stepSimulation(btScalar(4 * dt), 4, btScalar(dt));
   const double way = 1e3 * (puck.getWorldTransform().getOrigin().x() - from.x());
-  std::printf("%.3f mm and %.4f rad; its equations of motion with the exact wrench: 10.602 mm and 2.5427 rad\n", way, pad.angle);
+  std::printf("%.3f mm and %.4f rad; its equations of motion with the exact wrench: 10.602 mm and 2.5427 rad\n", way,
+              pad.angle);
   return std::abs(way - 10.602) < 0.11 && std::abs(pad.angle - 2.5427) < 0.025 ? 0 : 1;
 }

@@ -15,9 +15,9 @@ namespace limitcurve::chai {
 using namespace chai3d;
 using namespace godobject;
 
-/// CHAI3D's proxy, without its friction, finds the contact. Friction and stiffness are those of the touched object's material; radius law,
-/// twist stiffness and dampers those of the finger, which with dampers needs the `timeStep` [s]. Lengths are those of the
-/// world, the hand's times the tool's workspace scale: the tool divides the torque by it.
+/// CHAI3D's proxy, without its friction, finds the contact. Friction and stiffness are those of the touched object's
+/// material; radius law, twist stiffness and dampers those of the finger, which with dampers needs the `timeStep` [s].
+/// Lengths are those of the world, the hand's times the tool's workspace scale: the tool divides the torque by it.
 class cAlgorithmSoftFinger : public cAlgorithmFingerProxy {
  public:
   cAlgorithmSoftFinger(const FingerCurve& curve, const FingerParameters& skin, double timeStep = 0)
@@ -45,7 +45,8 @@ class cAlgorithmSoftFinger : public cAlgorithmFingerProxy {
     Contact contact = to_body(body, Contact{(toolPos + depth * normal).eigen(), normal.eigen(), depth});
     if (changed) m_finger.reset();
     contact.landed = contact.normal.dot(m_finger.output().normal) < 0;  // on a wall that faces the other way
-    const FingerOutput out = to_world(body, m_finger.update(contact, to_body(body, orientation(m_deviceRot)), m_timeStep));
+    const FingerOutput out =
+        to_world(body, m_finger.update(contact, to_body(body, orientation(m_deviceRot)), m_timeStep));
     m_torque = out.moment_vector();
     return m_lastGlobalForce = out.whole_force();
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// CHAI3D's cursor with a soft finger on two planes: a slide, a twist, and both; a plane that moves; from one plane to the other.
+// CHAI3D's cursor with a soft finger on two planes: a slide, a twist, and both; a plane that moves; from one plane to
+// the other.
 #include "cAlgorithmSoftFinger.h"
 
 #include "limitcurve/laws.hpp"

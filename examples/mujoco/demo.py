@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A block between two fingers of the plugin, which grip it beside its centre: it holds as `load_to_hold` says, and does not creep.
+"""A block between two fingers of the plugin, which grip it beside its centre: it holds as `load_to_hold` says, and does
+not creep.
 
     python demo.py LIBRARY.so
 """
@@ -47,10 +48,15 @@ def moved(text: str, grip: float, seconds: float = 3.0) -> "tuple[float, float]"
 
 def main() -> None:
     limitcurve.mujoco.register(sys.argv[1])
-    least = lc.Table("hertz", tolerance=1e-8).load_to_hold(FORCE, FORCE * OFFSET, mu=MU, radius_law=f"constant:a={RADIUS}")
+    least = lc.Table("hertz", tolerance=1e-8).load_to_hold(FORCE,
+                                                           FORCE * OFFSET,
+                                                           mu=MU,
+                                                           radius_law=f"constant:a={RADIUS}")
     for share in (0.99, 1.01, 1.5):
         turn, way = moved(scene(), share * least)
-        print(f"grip {share:.2f} of the {least:.4f} N to hold: turned {np.degrees(turn):.1e} degrees, moved {1e3 * way:.1e} mm in 3 s")
+        print(
+            f"grip {share:.2f} of the {least:.4f} N to hold: turned {np.degrees(turn):.1e} degrees, moved {1e3 * way:.1e} mm in 3 s"
+        )
         assert (turn > 0.05) if share < 1 else (turn < 1e-6 and way < 1e-8)
 
 

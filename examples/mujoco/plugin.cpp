@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The MuJoCo engine plugin "limitcurve.finger": friction of soft fingers, force and moment together, from the exact limit curve.
-// MuJoCo keeps the normal force of the finger's geoms (condim="1" priority="1"); the plugin gives the finger's body their friction, and the
-// other body its reaction. All memory is in mjData.plugin_state. `compute` only reads it, so that mj_forward, Runge-Kutta, copies and
-// rollouts are safe; `advance`, once a step, writes it. Loads are those of the last step.
+// The MuJoCo engine plugin "limitcurve.finger": friction of soft fingers, force and moment together, from the exact
+// limit curve. MuJoCo keeps the normal force of the finger's geoms (condim="1" priority="1"); the plugin gives the
+// finger's body their friction, and the other body its reaction. All memory is in mjData.plugin_state. `compute` only
+// reads it, so that mj_forward, Runge-Kutta, copies and rollouts are safe; `advance`, once a step, writes it. Loads are
+// those of the last step.
 #include <mujoco/mujoco.h>
 #include <algorithm>
 #include <godobject/godobject.hpp>
@@ -24,11 +25,12 @@ constexpr const char* keys[] = {"law",  "tolerance", "patch",     "radius_law", 
 
 // What a finger remembers of an object that it touches. Places are in the object's frame: there the proxy rides on it.
 struct Pair {
-  double object = 0;                          // its body plus one; 0: an empty slot
-  double load = 0;                            // normal force of the last step [N]
-  double slide_weight = 1, twist_weight = 1;  // inverse mass and inverse moment of inertia that the contact met at touch-down
-  Vector3d lever = Vector3d::Zero();          // centre of pressure less the mean of the contact points, in the last step
-  Vector3d finger_at = Vector3d::Zero();      // the finger's body in the last step
+  double object = 0;  // its body plus one; 0: an empty slot
+  double load = 0;    // normal force of the last step [N]
+  double slide_weight = 1,
+         twist_weight = 1;            // inverse mass and inverse moment of inertia that the contact met at touch-down
+  Vector3d lever = Vector3d::Zero();  // centre of pressure less the mean of the contact points, in the last step
+  Vector3d finger_at = Vector3d::Zero();  // the finger's body in the last step
   FingerState finger;
 };
 template <class Visit>
@@ -42,7 +44,9 @@ void each_number(Pair& p, Visit&& visit) {  // the numbers that make a pair, on 
   visit(f.friction.force_slides), visit(f.friction.search_start), visit(f.friction.search_rate);
   all(f.patch.zero_axis), all(f.patch.axis), all(f.patch.slip);
 }
-const int pair_size = [count = 0, pair = Pair()]() mutable { return each_number(pair, [&](auto&) { ++count; }), count; }();
+const int pair_size = [count = 0, pair = Pair()]() mutable {
+  return each_number(pair, [&](auto&) { ++count; }), count;
+}();
 Pair load(const mjtNum* from) {
   Pair pair;
   each_number(pair, [&](auto& x) { x = static_cast<std::decay_t<decltype(x)>>(*from++); });
@@ -56,7 +60,8 @@ void save(Pair pair, mjtNum* to) {
 Quaterniond turn_of(const mjData* d, int b) {
   return {d->xquat[4 * b], d->xquat[4 * b + 1], d->xquat[4 * b + 2], d->xquat[4 * b + 3]};
 }
-FingerCurve shared_curve(const std::string& law, double tolerance) {  // a table takes milliseconds, and there may be thousands of mjData
+FingerCurve shared_curve(const std::string& law,
+                         double tolerance) {  // a table takes milliseconds, and there may be thousands of mjData
   static std::mutex mutex;
   static std::map<std::pair<std::string, double>, std::optional<FingerCurve>> curves;
   const std::lock_guard lock(mutex);
@@ -85,18 +90,22 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
     given_.mu = number("mu").value_or(0.5), given_.mu_dynamic = number("mu_dynamic"), given_.mu_r = number("mu_r");
     given_.radius_law = RadiusLaw::parse(text("radius_law", "constant:a=0.005")), given_.max_displacement = mjMAXVAL;
     stiffness_ = number("stiffness"), twist_stiffness_ = number("twist_stiffness");
-    damping_ = number("damping"), twist_damping_ = number("twist_damping"), contacts_ = std::max(1.0, number("contacts").value_or(8.0));
+    damping_ = number("damping"), twist_damping_ = number("twist_damping"),
+    contacts_ = std::max(1.0, number("contacts").value_or(8.0));
     double x = 0, y = 0;
     char rest;
     const std::string patch = text("patch");
-    if (patch.empty()) curve_ = shared_curve(text("law", "hertz"), number("tolerance").value_or(Table::default_tolerance));
+    if (patch.empty())
+      curve_ = shared_curve(text("law", "hertz"), number("tolerance").value_or(Table::default_tolerance));
     if (std::sscanf(patch.c_str(), "rectangle:x=%lf,y=%lf%c", &x, &y, &rest) == 2) patch_ = Patch::rectangle(x, y);
-    if (!curve_ && !patch_) throw std::invalid_argument("patch: got '" + patch + "', expected rectangle:x=LENGTH,y=LENGTH");
+    if (!curve_ && !patch_)
+      throw std::invalid_argument("patch: got '" + patch + "', expected rectangle:x=LENGTH,y=LENGTH");
     for (int body = 1; body < m->nbody; ++body)
       if (m->body_plugin[body] == instance) finger_of_[body] = static_cast<int>(bodies.size()), bodies.push_back(body);
     for (int geom = 0; geom < m->ngeom; ++geom)
       if (finger_of_[m->geom_bodyid[geom]] >= 0 && (m->geom_condim[geom] != 1 || m->geom_priority[geom] < 1))
-        throw std::invalid_argument("a geom of a finger needs condim=\"1\" priority=\"1\": else MuJoCo adds friction of its own");
+        throw std::invalid_argument(
+            "a geom of a finger needs condim=\"1\" priority=\"1\": else MuJoCo adds friction of its own");
     touches.resize(bodies.size()), make_finger(Pair{});  // throws if a parameter is out of range
   }
   Skin& gather(const mjModel* m, const mjData* d, bool with_loads) {
@@ -109,14 +118,17 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
       const bool first = finger_of_[one] >= 0;  // of two fingers the first gives the friction
       if (!first && finger_of_[two] < 0) continue;
       const int object = first ? two : one, other = m->body_plugin[object];
-      if (other >= 0 && other < instance_ && m->plugin[other] == m->plugin[instance_]) continue;  // a finger of another instance gives it
+      if (other >= 0 && other < instance_ && m->plugin[other] == m->plugin[instance_])
+        continue;  // a finger of another instance gives it
       auto& all = touches[finger_of_[first ? one : two]];
       auto touch = std::find_if(all.begin(), all.end(), [&](const Touch& t) { return t.object == object; });
       if (touch == all.end()) touch = all.insert(all.end(), Touch{object});
       mjtNum force[6] = {};
       if (with_loads) mj_contactForce(m, d, i, force);
-      const Vector3d at(c.pos), normal = (first ? -1.0 : 1.0) * Vector3d(c.frame);  // MuJoCo's points from the first geom to the second
-      touch->at += at, touch->normal += normal, touch->load += force[0], touch->pressed += force[0] * at, ++touch->count;
+      const Vector3d at(c.pos),
+          normal = (first ? -1.0 : 1.0) * Vector3d(c.frame);  // MuJoCo's points from the first geom to the second
+      touch->at += at, touch->normal += normal, touch->load += force[0], touch->pressed += force[0] * at,
+          ++touch->count;
     }
     return *this;
   }
@@ -127,7 +139,8 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
     const Quaterniond inward = outward_.conjugate(), turn = inward * turn_of(d, body);
     const Vector3d at = inward * (Vector3d(d->xpos + 3 * body) - origin), normal = inward * touch.normal.normalized();
     const Vector3d point = inward * (touch.at / touch.count - origin) + pair.lever;
-    // The way of the finger's material over the object since the last step, so that a ball may roll: where was what is at the point now?
+    // The way of the finger's material over the object since the last step, so that a ball may roll: where was what is
+    // at the point now?
     const FingerState& state = pair.finger;
     Vector3d goal = point;
     if (state.spin.started) {
@@ -144,7 +157,8 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
   }
   // Friction on the finger, and its reaction, after `step`.
   void apply(mjData* d, int body, int object, const FingerOutput& out) const {
-    const Vector3d force = outward_ * out.force, moment = outward_ * out.moment_vector(), back = -force, turn_back = -moment;
+    const Vector3d force = outward_ * out.force, moment = outward_ * out.moment_vector(), back = -force,
+                   turn_back = -moment;
     mj_applyFT(model_, d, force.data(), moment.data(), point_.data(), body, d->qfrc_passive);
     mj_applyFT(model_, d, back.data(), turn_back.data(), point_.data(), object, d->qfrc_passive);
   }
@@ -161,11 +175,13 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
     pair.slide_weight = (along * weights.topLeftCorner<3, 3>() * along).norm();
     pair.twist_weight = n.dot(weights.bottomRightCorner<3, 3>() * n);
   }
-  // Springs that MuJoCo's explicit steps bear, unless the user gives them: k T² w = q², b T w = q, w the weight that a contact meets. n such
-  // contacts are stable while n (q² + 2q)/4, of slide and twist together, is below 1; with n = `contacts` these are 0.55 and 0.35.
+  // Springs that MuJoCo's explicit steps bear, unless the user gives them: k T² w = q², b T w = q, w the weight that a
+  // contact meets. n such contacts are stable while n (q² + 2q)/4, of slide and twist together, is below 1; with n =
+  // `contacts` these are 0.55 and 0.35.
   SoftFinger& make_finger(const Pair& pair) {
     FingerParameters p = given_;
-    const double q = std::sqrt(1 + 2.2 / contacts_) - 1, q_twist = std::sqrt(1 + 1.4 / contacts_) - 1, T = model_->opt.timestep;
+    const double q = std::sqrt(1 + 2.2 / contacts_) - 1, q_twist = std::sqrt(1 + 1.4 / contacts_) - 1,
+                 T = model_->opt.timestep;
     const double slide = std::max(pair.slide_weight, 1e-9), twist = std::max(pair.twist_weight, 1e-9);
     p.stiffness = stiffness_.value_or(q * q / (T * T * slide));
     p.twist_stiffness = twist_stiffness_.value_or(q_twist * q_twist / (T * T * twist));
@@ -217,7 +233,8 @@ void advance(const mjModel* m, mjData* d, int instance) {
   Skin& s = skin(d, instance).gather(m, d, true);
   const auto keep = [&](mjtNum* slot, Pair& pair, Touch& touch) {
     pair.load = touch.load, pair.lever = {0, 0, 0};
-    if (pair.load > 0) pair.lever = turn_of(d, touch.object).conjugate() * (touch.pressed / touch.load - touch.at / touch.count);
+    if (pair.load > 0)
+      pair.lever = turn_of(d, touch.object).conjugate() * (touch.pressed / touch.load - touch.at / touch.count);
     touch.count = 0, save(pair, slot);  // done
   };
   each_pair(m, d, instance, s, [&](mjtNum* slot, Pair& pair, Touch* touch, int body, auto&) {
@@ -234,7 +251,8 @@ void advance(const mjModel* m, mjData* d, int instance) {
 }
 // MuJoCo's structs change with every release: this library serves the one that it was compiled for.
 [[gnu::constructor]] void register_plugin() {
-  if (mj_version() != mjVERSION_HEADER) return mju_warning("limitcurve.finger is for MuJoCo %d, not %d", mjVERSION_HEADER, mj_version());
+  if (mj_version() != mjVERSION_HEADER)
+    return mju_warning("limitcurve.finger is for MuJoCo %d, not %d", mjVERSION_HEADER, mj_version());
   mjpPlugin plugin;
   mjp_defaultPlugin(&plugin);
   plugin.name = "limitcurve.finger", plugin.attributes = keys, plugin.nattribute = std::size(keys);
@@ -244,7 +262,9 @@ void advance(const mjModel* m, mjData* d, int instance) {
   };
   plugin.init = init, plugin.compute = compute, plugin.advance = advance;
   plugin.destroy = [](mjData* d, int instance) { delete &skin(d, instance); };
-  plugin.reset = [](const mjModel* m, mjtNum* state, void*, int instance) { mju_zero(state, m->plugin_statenum[instance]); };
+  plugin.reset = [](const mjModel* m, mjtNum* state, void*, int instance) {
+    mju_zero(state, m->plugin_statenum[instance]);
+  };
   mjp_registerPlugin(&plugin);
 }
 }  // namespace

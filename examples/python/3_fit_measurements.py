@@ -6,7 +6,8 @@ import limitcurve.plot
 import matplotlib.pyplot as plt
 import numpy as np
 
-# Slips of a finger with mu = 0.7 and a = 5 mm under a uniform pressure, at random centres of rotation, with 2 % of noise.
+# Slips of a finger with mu = 0.7 and a = 5 mm under a uniform pressure, at random centres of rotation, with 2 % of
+# noise.
 random = np.random.default_rng(1)
 load = random.uniform(1, 4, 200)
 f, m = lc.Law("uniform").evaluate(10 ** random.uniform(-1.5, 1.5, 200))

@@ -6,9 +6,13 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 table = lc.Table("hertz", tolerance=1e-6)
-finger = lc.SoftFinger(
-    table, mu=0.6, mu_dynamic=0.5, radius_law="power:c=0.00207,gamma=0.259", stiffness=800, twist_stiffness=0.003, damping=1.5
-)
+finger = lc.SoftFinger(table,
+                       mu=0.6,
+                       mu_dynamic=0.5,
+                       radius_law="power:c=0.00207,gamma=0.259",
+                       stiffness=800,
+                       twist_stiffness=0.003,
+                       damping=1.5)
 
 dt = 1e-3
 normal = (0.0, 0.0, 1.0)

@@ -32,12 +32,19 @@ class NumpyBatch:
 
 
 def batch(curve: lc.Table | lc.Curve, projection: str, dtype: DTypeLike = np.float64) -> lc.Batch:
-    return lc.Batch(curve, N, projection=projection, dtype=dtype, mu=MU, radius_law=f"constant:a={RADIUS}", stiffness=STIFFNESS,
+    return lc.Batch(curve,
+                    N,
+                    projection=projection,
+                    dtype=dtype,
+                    mu=MU,
+                    radius_law=f"constant:a={RADIUS}",
+                    stiffness=STIFFNESS,
                     twist_stiffness=TWIST_STIFFNESS)
 
 
 random = np.random.default_rng(1)
-steps = [[1e-3 * random.normal(size=N), 1e-3 * random.normal(size=N), np.full(N, 0.001), 0.1 * random.normal(size=N)] for _ in range(3)]
+steps = [[1e-3 * random.normal(size=N), 1e-3 * random.normal(size=N),
+          np.full(N, 0.001), 0.1 * random.normal(size=N)] for _ in range(3)]
 ellipse, table = lc.ellipse(1, M0), lc.Table("hertz", 1e-6)
 batches: dict[str, NumpyBatch | lc.Batch] = {
     "NumPy, ellipse, radial": NumpyBatch(N),

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""32 worlds of MuJoCo Warp, in each a disc that slides and spins on a floor; and what many contacts cost in a kernel of NVIDIA Warp.
+"""32 worlds of MuJoCo Warp, in each a disc that slides and spins on a floor; and what many contacts cost in a kernel of
+NVIDIA Warp.
 
-MuJoCo's own friction is off; the kernel `brake` has that of a limitcurve table, before every step. It is implicit: the trial is the impulse
-that would stop the disc within the step, and friction takes of it the closest point of the limit curve, in the metric of the kinetic energy.
-So it stops the disc and needs no spring. Beside it the disc's own equations are integrated: dv/dt = -mu g f, d(omega)/dt = -mu P a m/I.
-Whatever it starts with, a uniform disc ends with v/(a omega) = 0.653 (Farkas et al., Phys. Rev. Lett. 90:248302, 2003).
+MuJoCo's own friction is off; the kernel `brake` has that of a limitcurve table, before every step. It is implicit: the
+trial is the impulse that would stop the disc within the step, and friction takes of it the closest point of the limit
+curve, in the metric of the kinetic energy. So it stops the disc and needs no spring. Beside it the disc's own equations
+are integrated: dv/dt = -mu g f, d(omega)/dt = -mu P a m/I. Whatever it starts with, a uniform disc ends with v/(a
+omega) = 0.653 (Farkas et al., Phys. Rev. Lett. 90:248302, 2003).
 """
 
 import time
@@ -27,7 +29,8 @@ MODEL = f"""<mujoco><option timestep="{DT}" gravity="0 0 0"/><worldbody><body>
 
 
 @wp.kernel
-def brake(cells: lw.Cells, dt: float, velocity: wp.array2d(dtype=float), applied: wp.array2d(dtype=wp.spatial_vector)):  # type: ignore
+def brake(cells: lw.Cells, dt: float, velocity: wp.array2d(dtype=float),
+          applied: wp.array2d(dtype=wp.spatial_vector)):  # type: ignore
     world = wp.tid()
     push = wp.vec3(velocity[world, 0] * MASS / dt, velocity[world, 1] * MASS / dt, 0.0)
     turn = velocity[world, 2] * INERTIA / dt  # push and turn would stop it
@@ -72,11 +75,16 @@ start = np.array([random.uniform(0.1, 0.5, WORLDS), random.uniform(2, 12, WORLDS
 found, exact = in_mujoco_warp(*start), by_the_equations(start)
 moving = (exact[:, 0] > 0.01) & (RADIUS * exact[:, 1] > 0.01)
 apart = [size * np.abs(found - exact)[:, i][moving].max() for i, size in enumerate((1, RADIUS))]
-print(f"{WORLDS} worlds on {wp.get_device()}: v is never further than {apart[0]:.1e} m/s from the equations, a omega {apart[1]:.1e} m/s")
+print(
+    f"{WORLDS} worlds on {wp.get_device()}: v is never further than {apart[0]:.1e} m/s from the equations, a omega {apart[1]:.1e} m/s"
+)
 assert max(apart) < 1e-4 and found[-1].max() < 1e-6  # a step changes v by 4e-4 m/s; in the end all rest
 
 for n in (1, 1000, 1_000_000):
-    arrays = [wp.array(random.uniform(-1e-3, 1e-3, (n, 3)) / (1, 1, RADIUS), dtype=float), wp.empty((n, 2), dtype=wp.spatial_vector)]
+    arrays = [
+        wp.array(random.uniform(-1e-3, 1e-3, (n, 3)) / (1, 1, RADIUS), dtype=float),
+        wp.empty((n, 2), dtype=wp.spatial_vector)
+    ]
     seconds = []
     for _ in range(20):
         began = time.perf_counter()

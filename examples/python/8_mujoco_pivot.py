@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: MIT
 """The paper's experiment inside MuJoCo: a block between two soft fingers turns when they loosen their grip.
 
-MuJoCo has the block, gravity and the fingers' normal forces (contacts of condim 1: no friction of its own). Friction is limitcurve's:
-once a step the two `SoftFinger`s get the contact's place, turn and normal force, and what they give is applied to the block.
-It goes through `xfrc_applied`, between `mj_step1` and `mj_step2`: there the poses are this step's, and it happens exactly once a step,
-while the callback `mjcb_passive` also runs where MuJoCo only looks ahead (`mj_forward`, Runge-Kutta): a finger that remembers would slip twice.
+MuJoCo has the block, gravity and the fingers' normal forces (contacts of condim 1: no friction of its own). Friction is
+limitcurve's: once a step the two `SoftFinger`s get the contact's place, turn and normal force, and what they give is
+applied to the block. It goes through `xfrc_applied`, between `mj_step1` and `mj_step2`: there the poses are this
+step's, and it happens exactly once a step, while the callback `mjcb_passive` also runs where MuJoCo only looks ahead
+(`mj_forward`, Runge-Kutta): a finger that remembers would slip twice.
 
-After `mj_step` poses are those from before it, hence the split. Normal forces are known only after the step, so the limit uses those of the last one.
-Contacts need some steps to carry their load: the fingers close before gravity acts. In the block's frame its faces rest, and proxies move with it.
+After `mj_step` poses are those from before it, hence the split. Normal forces are known only after the step, so the
+limit uses those of the last one. Contacts need some steps to carry their load: the fingers close before gravity acts.
+In the block's frame its faces rest, and proxies move with it.
 
-Beside it MuJoCo's own friction (condim 4) with the coefficients of `lc.translate`, and `lc.run("pivot")`, which is planar and implicit.
-MuJoCo's own cone lets a held block creep; `noslip_iterations` stops that, and the error of the ellipse remains: the block turns too late. With
-coefficients that follow the slip (`Table.tangent_ellipse`, docs/which_number.md) the same cone turns it as the exact curve does.
+Beside it MuJoCo's own friction (condim 4) with the coefficients of `lc.translate`, and `lc.run("pivot")`, which is
+planar and implicit. MuJoCo's own cone lets a held block creep; `noslip_iterations` stops that, and the error of the
+ellipse remains: the block turns too late. With coefficients that follow the slip (`Table.tangent_ellipse`,
+docs/which_number.md) the same cone turns it as the exact curve does.
 """
 
 import time as clock
@@ -30,7 +33,8 @@ STIFFNESS, DAMPING = 1000.0, 5.0  # [N/m], [N s/m]
 DT, DURATION = 1e-3, 8.0
 GRIP_TIME, GRIP_LOAD = [0.0, 1.0, 8.0], [0.5, 0.5, 0.3]  # [s], [N]
 HALF = SIZE[2] / 2
-SAG, GIVE = WEIGHT / 2 / STIFFNESS, WEIGHT / 2 * OFFSET / (STIFFNESS * LEVER**2)  # spring deflections of two fingers that carry the block
+SAG, GIVE = WEIGHT / 2 / STIFFNESS, WEIGHT / 2 * OFFSET / (STIFFNESS * LEVER ** 2
+                                                           )  # spring deflections of two fingers that carry the block
 
 
 def scene(friction: str, options: str = "") -> str:
@@ -108,7 +112,8 @@ def simulate(model_text: str, fingers: Fingers | None, touching: lc.Table | None
             loads[ball - 1] += force[0]
             if touching:
                 a = LEVER / touching.moment_ratio
-                p, q = touching.tangent_ellipse(np.hypot(*force[1:3]), force[3] / a, friction[0] / MU, friction[2] / (MU * a))
+                p, q = touching.tangent_ellipse(np.hypot(*force[1:3]), force[3] / a, friction[0] / MU,
+                                                friction[2] / (MU * a))
                 model.geom_friction[ball, :2] = MU * p, MU * a * q
         angle += data.qvel[5] * DT
     cost = (clock.perf_counter() - began) / len(rows)
@@ -120,7 +125,11 @@ def main() -> None:
     table = lc.Table("hertz", tolerance=1e-8)
     radius = LEVER / lc.Law("hertz").moment_ratio
     given = lc.translate("hertz", f"constant:a={radius}", mu=MU, load=0.4)
-    typed = {p: v for e, m, p, v in zip(given["engine"], given["model"], given["parameter"], given["value"]) if (e, m) == ("mujoco", "ellipse")}
+    typed = {
+        p: v
+        for e, m, p, v in zip(given["engine"], given["model"], given["parameter"], given["value"])
+        if (e, m) == ("mujoco", "ellipse")
+    }
     own = f'condim="4" friction="{typed["geom.friction[0]"]} {typed["geom.friction[1]"]} 0"'
     smooth = 'condim="1"'
     elliptic = f'cone="elliptic" impratio="{typed["option.impratio"]}"'
@@ -128,7 +137,12 @@ def main() -> None:
     runs: dict[str, dict[str, Any]] = {}
     for case in ("exact", "coupled"):
         grip = {"time": GRIP_TIME, "load": GRIP_LOAD}
-        runs[f"pivot {case}"] = lc.run("pivot", case=case, material="sandpaper", grip=grip, duration=DURATION, time_step=DT)
+        runs[f"pivot {case}"] = lc.run("pivot",
+                                       case=case,
+                                       material="sandpaper",
+                                       grip=grip,
+                                       duration=DURATION,
+                                       time_step=DT)
     runs["MuJoCo + limitcurve"] = simulate(scene(smooth), Fingers(table, "closest-point"))
     runs["MuJoCo condim 4 elliptic"] = simulate(scene(own, elliptic), None)
     runs["MuJoCo condim 4 noslip"] = simulate(scene(own, f'{elliptic} noslip_iterations="20"'), None)
@@ -137,7 +151,9 @@ def main() -> None:
     bare = simulate(scene(smooth), None)["cost"]
 
     print(f"MuJoCo {mujoco.__version__}, {DT * 1e3:g} ms a step, {1e6 * bare:.0f} us a step without any friction")
-    print("run                       begins [s]  turned [deg]  slid [mm]  creep held [deg/s]  energy gained [J]  off plane [m]  [us/step]")
+    print(
+        "run                       begins [s]  turned [deg]  slid [mm]  creep held [deg/s]  energy gained [J]  off plane [m]  [us/step]"
+    )
     figure, axes = plt.subplots(layout="constrained")
     for name, run in runs.items():
         angle = np.degrees(run["angle"])
@@ -154,18 +170,29 @@ def main() -> None:
         if not fell:
             axes.plot(run["time"][::20], angle[::20], "--" if "limitcurve" in name else "-", label=name)
 
-    # With the wrench of step b, MuJoCo agrees with `pivot` to 0.15 degrees at 1 ms, and to half of that at half the step.
+    # With the wrench of step b, MuJoCo agrees with `pivot` to 0.15 degrees at 1 ms, and to half of that at half the
+    # step.
     ours, planar = runs["MuJoCo + limitcurve"], runs["pivot exact"]
     apart = np.degrees(np.abs(ours["angle"] - planar["angle"][: len(ours["angle"])])).max()
     print(f"MuJoCo + limitcurve is never further than {apart:.3f} degrees from pivot")
     assert apart < 0.2 and ours["gain"] < 1e-9 and ours["off_plane"].max() < 1e-7
     assert abs(ours["angle"][held]) < 1e-6  # held, it does not creep
     # A cone has no springs: compare it with hard ones.
-    hard = lc.run("pivot", case="exact", material="sandpaper", grip=grip, duration=DURATION, time_step=DT, stiffness=1e5)["angle"]
+    hard = lc.run("pivot",
+                  case="exact",
+                  material="sandpaper",
+                  grip=grip,
+                  duration=DURATION,
+                  time_step=DT,
+                  stiffness=1e5)["angle"]
     apart = np.degrees(np.abs(runs["MuJoCo tangent ellipse"]["angle"] - hard[: len(ours["angle"])])).max()
-    print(f"with coefficients that follow the slip, MuJoCo alone is never further than {apart:.3f} degrees from pivot with hard springs")
+    print(
+        f"with coefficients that follow the slip, MuJoCo alone is never further than {apart:.3f} degrees from pivot with hard springs"
+    )
     assert apart < 1
-    axes.set(xlabel="time [s]", ylabel="turn of the block [deg]", title="A block between two soft fingers whose grip eases")
+    axes.set(xlabel="time [s]",
+             ylabel="turn of the block [deg]",
+             title="A block between two soft fingers whose grip eases")
     axes.legend(frameon=False)
     figure.savefig("8_mujoco_pivot.svg")
 

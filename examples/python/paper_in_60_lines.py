@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The paper in 60 lines: eqs. (3), (5) and (7) to (23) for a finger on a plane, without the library; compared with it at the end."""
+"""The paper in 60 lines: eqs. (3), (5) and (7) to (23) for a finger on a plane, without the library; compared with it
+at the end."""
 
 import csv
 import subprocess
@@ -19,7 +20,8 @@ def pressure(r: float) -> float:  # for P = 1, eq. (3)
     return 1.5 * sqrt(1 - (r / A) ** 2) / (pi * A**2)
 
 
-def wrench(c: float, n: int = 400) -> tuple[float, float]:  # F_t and M for P = 1, turning by +1 about (c, 0), by midpoints
+def wrench(c: float,
+           n: int = 400) -> tuple[float, float]:  # F_t and M for P = 1, turning by +1 about (c, 0), by midpoints
     force = moment = 0.0
     for r in (A * (i + 0.5) / n for i in range(n)):
         for t in (2 * pi * (j + 0.5) / n for j in range(n)):
@@ -30,7 +32,8 @@ def wrench(c: float, n: int = 400) -> tuple[float, float]:  # F_t and M for P = 
     return force, moment
 
 
-def uncoupled(deflection: Pose, d: float) -> Pose:  # step b; the deflection is x_p(k-1) - x_g(k), alpha_p(k-1) - alpha_g(k)
+def uncoupled(deflection: Pose,
+              d: float) -> Pose:  # step b; the deflection is x_p(k-1) - x_g(k), alpha_p(k-1) - alpha_g(k)
     x, y, alpha = deflection
     r, rho = hypot(x, y), abs(alpha)  # eq. (7)
     if r / (MU * d) >= 1:  # eq. (8): it slides

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A puck in Simbody that slides and spins on one soft pad until it rests. Simbody's headers are not C++20: limitcurve11.hpp.
+// A puck in Simbody that slides and spins on one soft pad until it rests. Simbody's headers are not C++20:
+// limitcurve11.hpp.
 #include "limitcurve11.hpp"
 
 #include <Simbody.h>
@@ -9,8 +10,8 @@
 
 using namespace SimTK;
 
-/// The soft pad at a body's origin, on the ground z = 0, as a force element. An integrator asks for forces as often as it likes, so that
-/// they are previews; `commit` makes a step.
+/// The soft pad at a body's origin, on the ground z = 0, as a force element. An integrator asks for forces as often as
+/// it likes, so that they are previews; `commit` makes a step.
 class SoftPad : public Force::Custom::Implementation {
  public:
   SoftPad(const MobilizedBody& body, const limitcurve11::Finger& finger) : body_(body), finger_(finger.handle()) {}
@@ -92,6 +93,7 @@ int main() {
   stepper.stepTo(0.5);
 
   const double way = 1e3 * stepper.getState().getQ()[0], angle = stepper.getState().getQ()[3];
-  std::printf("%.3f mm and %.4f rad; its equations of motion with the exact wrench: 10.602 mm and 2.5427 rad\n", way, angle);
+  std::printf("%.3f mm and %.4f rad; its equations of motion with the exact wrench: 10.602 mm and 2.5427 rad\n", way,
+              angle);
   return std::abs(way - 10.602) < 0.05 && std::abs(angle - 2.5427) < 0.02 ? 0 : 1;
 }

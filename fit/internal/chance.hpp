@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Chances and quantiles of the distributions that fits need. No other file includes Boost's distributions, which are slow to compile.
+/// Chances and quantiles of the distributions that fits need. No other file includes Boost's distributions, which are
+/// slow to compile.
 namespace limitcurve::fit::internal {
 
 double chi_squared_chance(double freedom, double value);  ///< of a larger value

@@ -25,8 +25,9 @@ double analysis(std::size_t i, std::size_t j, std::size_t count) {
   return (j == 0 ? 1.0 : 2.0) / n * std::cos(pi * static_cast<double>(j) * (static_cast<double>(i) + 0.5) / n);
 }
 
-/// The position on one side of the rim, q = min(s, 1/s) ∈ [0, 1], as w ∈ [0, 1] with q = 1 − (1 − w²)⁴. The curve's singularities,
-/// (1−q)^{n+2} at the rim and q^{k+1} at the centre, become high powers of w, so that the Chebyshev series converges fast.
+/// The position on one side of the rim, q = min(s, 1/s) ∈ [0, 1], as w ∈ [0, 1] with q = 1 − (1 − w²)⁴. The curve's
+/// singularities, (1−q)^{n+2} at the rim and q^{k+1} at the centre, become high powers of w, so that the Chebyshev
+/// series converges fast.
 double place_of(double q) noexcept {
   return std::sqrt(1.0 - std::sqrt(std::sqrt(1.0 - q)));
 }
@@ -70,8 +71,8 @@ double tail_of(const std::array<ChebyshevCurve::Series, 2>& sides) {
 }  // namespace
 
 ChebyshevCurve::ChebyshevCurve(const PressureLaw& law) : moment_ratio_(law.moment_ratio()) {
-  // A law without a rim has no singularity to split at. 2.7 m₀ is best for the Gaussian and for any law whose pressure vanishes long
-  // before the rim: the last coefficients show which split is better.
+  // A law without a rim has no singularity to split at. 2.7 m₀ is best for the Gaussian and for any law whose pressure
+  // vanishes long before the rim: the last coefficients show which split is better.
   const double faded = 2.7 * moment_ratio_;
   const bool has_rim = law.breaks().back() == 1;
   split_ = has_rim ? 1.0 : faded;

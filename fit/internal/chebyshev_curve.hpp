@@ -17,9 +17,9 @@ struct PlanePoint {
   double y;
 };
 
-/// An exact unit limit curve as two Chebyshev series (COR inside the rim, outside the rim), 40 terms each, and their derivative
-/// with respect to a shape parameter. No quadrature, about 50 ns an evaluation. Absolute error ≤ 1e-11 for the closed-form
-/// laws (Gaussian 1e-9) and moderate shapes; about 1e-6 for laws with kinks between centre and rim.
+/// An exact unit limit curve as two Chebyshev series (COR inside the rim, outside the rim), 40 terms each, and their
+/// derivative with respect to a shape parameter. No quadrature, about 50 ns an evaluation. Absolute error ≤ 1e-11 for
+/// the closed-form laws (Gaussian 1e-9) and moderate shapes; about 1e-6 for laws with kinks between centre and rim.
 class ChebyshevCurve {
  public:
   static constexpr std::size_t terms = 40;
@@ -27,15 +27,16 @@ class ChebyshevCurve {
   using Series = std::array<PlanePoint, terms>;
 
   ChebyshevCurve() = default;
-  /// The curve of one law; its derivative with respect to the shape is 0. Cost: 80 evaluations of the law, 160 if its pressure vanishes
-  /// before the rim.
+  /// The curve of one law; its derivative with respect to the shape is 0. Cost: 80 evaluations of the law, 160 if its
+  /// pressure vanishes before the rim.
   explicit ChebyshevCurve(const PressureLaw& law);
 
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
   /// d m₀/d(shape coordinate).
   [[nodiscard]] double moment_ratio_slope() const noexcept { return moment_ratio_slope_; }
 
-  /// The point at spin fraction u ∈ [0, 1] (1 pure twist, ½ COR on the rim), and d(point)/d(shape coordinate) at the same u.
+  /// The point at spin fraction u ∈ [0, 1] (1 pure twist, ½ COR on the rim), and d(point)/d(shape coordinate) at the
+  /// same u.
   [[nodiscard]] PlanePoint at(double u) const noexcept { return sum(value_, u); }
   [[nodiscard]] PlanePoint shape_slope(double u) const noexcept { return sum(slope_, u); }
 
@@ -54,8 +55,9 @@ class ChebyshevCurve {
   double moment_ratio_slope_ = 0.0;
 };
 
-/// A family of pressure laws with one shape parameter, as a Chebyshev tensor in the shape's coordinate and the position on
-/// the curve. Built at first use (20 to 70 ms, with the laws' own evaluators); then immutable and shared by all threads.
+/// A family of pressure laws with one shape parameter, as a Chebyshev tensor in the shape's coordinate and the position
+/// on the curve. Built at first use (20 to 70 ms, with the laws' own evaluators); then immutable and shared by all
+/// threads.
 class ShapeFamily {
  public:
   /// p ∝ (1−ρ²)ⁿ, n ∈ [−0.75, 6]; coordinate log(n + 3/2). Error of the curve ≤ 1e-11.

@@ -17,7 +17,8 @@
 
 namespace limitcurve::fit::internal {
 
-void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options) {
+void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const ContactModel& model,
+                       const ContactFitOptions& options) {
   ContactFitOptions robust = options;
   robust.loss = Loss::cauchy();
   const std::unique_ptr<UnitCurve> curve = make_curve(model);
@@ -78,9 +79,11 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, const Contac
     const double angle = std::atan2(std::fabs(samples[i].moment) / moment, std::fabs(samples[i].force) / force);
     const double force_noise = samples[i].sigma_force / force;
     const double moment_noise = samples[i].sigma_moment / moment;
-    if (force_noise > 0.0) curved = std::max({curved, moment_noise * moment_noise / force_noise, force_noise * force_noise / moment_noise});
+    if (force_noise > 0.0)
+      curved = std::max({curved, moment_noise * moment_noise / force_noise, force_noise * force_noise / moment_noise});
     // A standard deviation in the normalised plane.
-    const double noise = samples[i].sigma_force > 0.0 ? std::hypot(std::cos(angle) * force_noise, std::sin(angle) * moment_noise) : unit;
+    const double noise =
+        samples[i].sigma_force > 0.0 ? std::hypot(std::cos(angle) * force_noise, std::sin(angle) * moment_noise) : unit;
     distances.push_back(fit.residuals[i] * noise);
     if (std::find(fit.outliers.begin(), fit.outliers.end(), i) != fit.outliers.end()) continue;
     for (Eigen::Index k = 0; k < waves; ++k) columns(row, k) = std::cos(2.0 * static_cast<double>(k) * angle) / noise;
@@ -110,16 +113,18 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, const Contac
   if (chance < 0.002) {
     // Where an end of the curve bends within a standard deviation, errors make a trend.
     constexpr double most_curved = 0.4;
-    report.warnings.push_back("the samples do not scatter evenly about the curve of " + fit.model + ": " + report.estimates[0].name +
-                              " may be off by " + format_number(100.0 * std::fabs(at_slide), 3) + " %, " + report.estimates[1].name +
-                              " by " + format_number(100.0 * std::fabs(at_twist), 3) + " %, which the standard errors include. " +
-                              (curved > most_curved ? "Force and moment have errors so unequal that the curve bends within one of them"
-                                                    : "Another pressure law, or a wrong zero of the sensor?"));
+    report.warnings.push_back(
+        "the samples do not scatter evenly about the curve of " + fit.model + ": " + report.estimates[0].name +
+        " may be off by " + format_number(100.0 * std::fabs(at_slide), 3) + " %, " + report.estimates[1].name + " by " +
+        format_number(100.0 * std::fabs(at_twist), 3) + " %, which the standard errors include. " +
+        (curved > most_curved ? "Force and moment have errors so unequal that the curve bends within one of them"
+                              : "Another pressure law, or a wrong zero of the sensor?"));
   }
 }
 
 std::string note_of(const std::string& model, const ContactFitOptions& options, std::size_t spare, bool with_sigma) {
-  return model + "; gamma " + (options.fit_gamma ? std::string("fitted") : "= " + format_number(options.gamma) + " assumed") + "; " +
+  return model + "; gamma " +
+         (options.fit_gamma ? std::string("fitted") : "= " + format_number(options.gamma) + " assumed") + "; " +
          to_string(options.loss.kind) + " loss" + (with_sigma ? "" : "; errors proportional to the load assumed") +
          (with_sigma && options.loss.kind == Loss::Kind::squared ? "" : note_of_few_rows(spare));
 }

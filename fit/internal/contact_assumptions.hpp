@@ -14,17 +14,22 @@
 namespace limitcurve::fit::internal {
 
 /// The fit of one model; fits to the same preparation can be compared.
-ContactFit fit_prepared(const ContactPreparation& preparation, const ContactModel& model, const ContactFitOptions& options);
+ContactFit fit_prepared(const ContactPreparation& preparation, const ContactModel& model,
+                        const ContactFitOptions& options);
 
-/// Tests two assumptions, that no row is a gross error and that the radius is proportional to P^gamma, with a fit with Cauchy's loss and
-/// free gamma. Adds outliers and warnings to the fit.
-void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options);
+/// Tests two assumptions, that no row is a gross error and that the radius is proportional to P^gamma, with a fit with
+/// Cauchy's loss and free gamma. Adds outliers and warnings to the fit.
+void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const ContactModel& model,
+                       const ContactFitOptions& options);
 
-/// Tests two more: that rows scatter to both sides of it (none was taken while the finger held), and that the residuals are
-/// noise, not a function of the place on the curve (another law made the samples, or no ellipse). The fit is of this preparation with these options.
+/// Tests two more: that rows scatter to both sides of it (none was taken while the finger held), and that the residuals
+/// are noise, not a function of the place on the curve (another law made the samples, or no ellipse). The fit is of
+/// this preparation with these options.
 ///
-/// In the normalised plane the relative distance from the curve is fitted by g(φ) = Σ c_k cos 2kφ, k < 4, φ the polar angle, without gross
-/// outliers. An F test warns of what chance gives in 1 of 500 data sets. What chance gives in 1 of 20 enters the standard errors: g is what the law may be off by, at φ = 0 of mu, at π/2 of mu_r, the difference of ratio and radius.
+/// In the normalised plane the relative distance from the curve is fitted by g(φ) = Σ c_k cos 2kφ, k < 4, φ the polar
+/// angle, without gross outliers. An F test warns of what chance gives in 1 of 500 data sets. What chance gives in 1 of
+/// 20 enters the standard errors: g is what the law may be off by, at φ = 0 of mu, at π/2 of mu_r, the difference of
+/// ratio and radius.
 void test_scatter(ContactFit& fit, std::span<const Sample> samples, const ContactPreparation& preparation,
                   const ContactFitOptions& options);
 
@@ -38,8 +43,8 @@ inline ContactFit& best_of(LawSelection& selection) noexcept {
   return selection.candidates.front();
 }
 
-/// Calls `fit(options)`, which returns a ContactFit or LawSelection. If gross outliers leave the squared loss without a solution, calls
-/// it with Cauchy's loss and adds a warning.
+/// Calls `fit(options)`, which returns a ContactFit or LawSelection. If gross outliers leave the squared loss without a
+/// solution, calls it with Cauchy's loss and adds a warning.
 template <class Fit>
 auto fit_or_outlive_outliers(const ContactFitOptions& options, const Fit& fit) {
   try {

@@ -25,8 +25,8 @@ bool check(std::span<const Sample> samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Sample& sample = samples[i];
     const auto complain = [&](const char* name, double value, const char* expected) {
-      return std::invalid_argument("sample " + std::to_string(i + 1) + ": " + name + " = " + format_number(value) + ": expected " +
-                                   expected);
+      return std::invalid_argument("sample " + std::to_string(i + 1) + ": " + name + " = " + format_number(value) +
+                                   ": expected " + expected);
     };
     if (!(sample.load > 0.0) || std::isinf(sample.load)) throw complain("load", sample.load, "> 0 N and finite");
     if (!std::isfinite(sample.force)) throw complain("force", sample.force, "a finite number of N");
@@ -38,8 +38,10 @@ bool check(std::span<const Sample> samples) {
     largest_force = std::max(largest_force, std::fabs(sample.force));
     largest_moment = std::max(largest_moment, std::fabs(sample.moment));
   }
-  if (largest_force == 0.0) throw std::invalid_argument("not identifiable from these samples: mu (every force is 0: no slide at all)");
-  if (largest_moment == 0.0) throw std::invalid_argument("not identifiable from these samples: mu_r (every moment is 0: no twist at all)");
+  if (largest_force == 0.0)
+    throw std::invalid_argument("not identifiable from these samples: mu (every force is 0: no slide at all)");
+  if (largest_moment == 0.0)
+    throw std::invalid_argument("not identifiable from these samples: mu_r (every moment is 0: no twist at all)");
   return with_sigma;
 }
 
@@ -54,15 +56,18 @@ void check_signal(std::span<const Sample> samples) {
   const auto count = static_cast<double>(samples.size());
   const double noise = count + 5.0 * std::sqrt(2.0 * count);
   if (force <= noise)
-    throw std::invalid_argument("not identifiable from these samples: mu (every force is within its noise of 0: no slide at all)");
+    throw std::invalid_argument(
+        "not identifiable from these samples: mu (every force is within its noise of 0: no slide at all)");
   if (moment <= noise)
-    throw std::invalid_argument("not identifiable from these samples: mu_r (every moment is within its noise of 0: no twist at all)");
+    throw std::invalid_argument(
+        "not identifiable from these samples: mu_r (every moment is within its noise of 0: no twist at all)");
 }
 
-/// Starting values for a robust loss, which gross errors in up to about half of the samples do not move: of the ellipses α f² + β m² = 1
-/// through two samples each, with f = F/P and m = M/P at the reference load, the one with the least Σ e²/(e² + 0.1²), e = (q − 1)/(q + 1),
-/// q = αf² + βm². Near the ellipse e is the relative distance; a distant sample has the same weight inside and outside. One sample of a
-/// pair is from the half nearer to sliding, one from the half nearer to twisting, 12 of each: at most 144 pairs.
+/// Starting values for a robust loss, which gross errors in up to about half of the samples do not move: of the
+/// ellipses α f² + β m² = 1 through two samples each, with f = F/P and m = M/P at the reference load, the one with the
+/// least Σ e²/(e² + 0.1²), e = (q − 1)/(q + 1), q = αf² + βm². Near the ellipse e is the relative distance; a distant
+/// sample has the same weight inside and outside. One sample of a pair is from the half nearer to sliding, one from the
+/// half nearer to twisting, 12 of each: at most 144 pairs.
 Limits starting_limits(std::span<const Sample> samples, double gamma, double reference_load) {
   struct Place {
     double angle;
@@ -98,7 +103,8 @@ Limits starting_limits(std::span<const Sample> samples, double gamma, double ref
       const double determinant = 1.0 - x * x * y * y;
       const double alpha = (1.0 - y * y) / determinant;
       const double beta = (1.0 - x * x) / determinant;
-      if (!(slide.force > 0.0 && twist.moment > 0.0 && alpha > 1e-4 && beta > 1e-4 && std::isfinite(alpha + beta))) continue;
+      if (!(slide.force > 0.0 && twist.moment > 0.0 && alpha > 1e-4 && beta > 1e-4 && std::isfinite(alpha + beta)))
+        continue;
       const Limits limits{slide.force / std::sqrt(alpha), twist.moment / std::sqrt(beta)};
       double sum = 0.0;
       for (const Place& place : places) {
@@ -117,14 +123,15 @@ Limits starting_limits(std::span<const Sample> samples, double gamma, double ref
   return best;
 }
 
-std::vector<WeightedSample> weigh(std::span<const Sample> samples, bool with_sigma, Limits limits, double noise, double reference_load) {
+std::vector<WeightedSample> weigh(std::span<const Sample> samples, bool with_sigma, Limits limits, double noise,
+                                  double reference_load) {
   std::vector<WeightedSample> weighted;
   weighted.reserve(samples.size());
   for (const Sample& sample : samples) {
     const double sigma_force = noise * (with_sigma ? sample.sigma_force : limits.force * sample.load);
     const double sigma_moment = noise * (with_sigma ? sample.sigma_moment : limits.moment * sample.load);
-    weighted.push_back({std::fabs(sample.force) / sigma_force, std::fabs(sample.moment) / sigma_moment, sample.load / sigma_force,
-                        sample.load / sigma_moment, std::log(sample.load / reference_load)});
+    weighted.push_back({std::fabs(sample.force) / sigma_force, std::fabs(sample.moment) / sigma_moment,
+                        sample.load / sigma_force, sample.load / sigma_moment, std::log(sample.load / reference_load)});
   }
   return weighted;
 }
@@ -147,10 +154,12 @@ std::unique_ptr<UnitCurve> make_curve(const ContactModel& model) {
 }
 
 bool is_exact(const ContactModel& model) {
-  return model.kind == ContactModel::Kind::law || model.kind == ContactModel::Kind::power || model.kind == ContactModel::Kind::xydas_kao;
+  return model.kind == ContactModel::Kind::law || model.kind == ContactModel::Kind::power ||
+         model.kind == ContactModel::Kind::xydas_kao;
 }
 
-std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayout& layout, const ContactModel& model, Limits start) {
+std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayout& layout, const ContactModel& model,
+                                       Limits start) {
   const bool exact = is_exact(model);
   // The bounds are a factor of 1000 on either side of the start.
   constexpr double reach = 7.0;
@@ -173,7 +182,8 @@ Loss approach(const ContactResiduals& residuals, std::vector<Parameter>& paramet
   constexpr int most_passes = 20;
   double scatter = 1.4826 * median_size(distances);
   for (int pass = 0; pass < most_passes && scatter > usual; ++pass) {
-    const Solution solution = internal::minimise(residuals, parameters, {loss.kind, loss.scale * scatter}, coarse_tolerance);
+    const Solution solution =
+        internal::minimise(residuals, parameters, {loss.kind, loss.scale * scatter}, coarse_tolerance);
     for (std::size_t j = 0; j < parameters.size(); ++j) parameters[j].start = solution.values[j];
     const double before = scatter;
     scatter = 1.4826 * median_size(solution.residuals);
@@ -183,7 +193,8 @@ Loss approach(const ContactResiduals& residuals, std::vector<Parameter>& paramet
 }
 
 ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOptions& options) {
-  if (!(options.gamma >= -0.5 && options.gamma <= 1.0)) throw out_of_range("gamma", options.gamma, "1", "-0.5 <= gamma <= 1");
+  if (!(options.gamma >= -0.5 && options.gamma <= 1.0))
+    throw out_of_range("gamma", options.gamma, "1", "-0.5 <= gamma <= 1");
   if (!(options.loss.scale > 0.0) || std::isinf(options.loss.scale))
     throw out_of_range("loss scale", options.loss.scale, "1", "> 0 and finite");
   ContactPreparation preparation{check(samples), 0.0, {}, 1.0, {}};
@@ -192,10 +203,10 @@ ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOpti
   for (const Sample& sample : samples) log_load += std::log(sample.load);
   preparation.reference_load = std::exp(log_load / static_cast<double>(samples.size()));
   preparation.start = starting_limits(samples, options.gamma, preparation.reference_load);
-  // Without sigmas the unit of error is the limit itself, for which an ellipse is good enough. A robust loss also needs the typical
-  // error, 1.4826 median |residual|, which outliers hardly move. An ellipse would add its own
-  // misfit to it: with Huber's loss and a tenth of the rows inside the curve, 66 to 70 % of the
-  // intervals would hold the truth, and not 87 %.
+  // Without sigmas the unit of error is the limit itself, for which an ellipse is good enough. A robust loss also needs
+  // the typical error, 1.4826 median |residual|, which outliers hardly move. An ellipse would add its own misfit to it:
+  // with Huber's loss and a tenth of the rows inside the curve, 66 to 70 % of the intervals would hold the truth, and
+  // not 87 %.
   const bool robust = options.loss.kind != Loss::Kind::squared;
   const std::unique_ptr<UnitCurve> curve = robust ? make_flexible() : make_ellipse();
   const ContactLayout layout{robust, options.fit_gamma, options.gamma};
@@ -203,7 +214,8 @@ ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOpti
   for (int pass = 0; pass < passes; ++pass) {
     const auto weighted = weigh(samples, false, preparation.start, preparation.noise, preparation.reference_load);
     const ContactResiduals residuals(weighted, *curve, layout);
-    const std::vector<Parameter> parameters = free_parameters(*curve, layout, {ContactModel::Kind::ellipse}, preparation.start);
+    const std::vector<Parameter> parameters =
+        free_parameters(*curve, layout, {ContactModel::Kind::ellipse}, preparation.start);
     const Loss loss = pass == 0 && robust ? Loss::cauchy(0.05) : options.loss;
     const Solution solution = internal::minimise(residuals, parameters, loss, internal::coarse_tolerance);
     preparation.start = {std::exp(solution.values[0]), std::exp(solution.values[1])};
@@ -211,7 +223,8 @@ ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOpti
       preparation.noise *= std::max(1.4826 * median_size(solution.residuals), 1e-9);
     }
   }
-  preparation.samples = weigh(samples, preparation.with_sigma, preparation.start, preparation.noise, preparation.reference_load);
+  preparation.samples =
+      weigh(samples, preparation.with_sigma, preparation.start, preparation.noise, preparation.reference_load);
   return preparation;
 }
 

@@ -32,11 +32,13 @@ std::unique_ptr<UnitCurve> make_curve(const ContactModel& model);
 bool is_exact(const ContactModel& model);
 
 /// The free parameters with their starting values and bounds, in the order of `layout`.
-std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayout& layout, const ContactModel& model, Limits start);
+std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayout& layout, const ContactModel& model,
+                                       Limits start);
 
-/// Moves the start to where a robust loss accepts most samples, and returns the loss for the fit. From a start that is off by many sigmas
-/// all samples are outliers, and any few of them make a minimum. So the loss begins as wide as the scatter and narrows with it, down to the
-/// requested scale. It stays wide if the model does not fit or the sigmas are too small.
+/// Moves the start to where a robust loss accepts most samples, and returns the loss for the fit. From a start that is
+/// off by many sigmas all samples are outliers, and any few of them make a minimum. So the loss begins as wide as the
+/// scatter and narrows with it, down to the requested scale. It stays wide if the model does not fit or the sigmas are
+/// too small.
 Loss approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss);
 
 }  // namespace limitcurve::fit::internal

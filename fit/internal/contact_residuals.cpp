@@ -12,15 +12,16 @@ namespace limitcurve::fit::internal {
 ContactResiduals::ContactResiduals(std::span<const WeightedSample> samples, UnitCurve& curve, ContactLayout layout)
     : samples_(samples), curve_(curve), layout_(layout), last_(samples.size(), -1.0), drift_(samples.size(), 0.0) {}
 
-/// The t where (sample − q)·q′ changes sign, from ≥ 0 at the slide's end to ≤ 0 at the twist's: secant steps within a bracket.
-/// The distance is stationary there, so an error of 1e-9 in t changes it by 1e-18.
+/// The t where (sample − q)·q′ changes sign, from ≥ 0 at the slide's end to ≤ 0 at the twist's: secant steps within a
+/// bracket. The distance is stationary there, so an error of 1e-9 in t changes it by 1e-18.
 double ContactResiduals::closest(PlanePoint sample, PlanePoint scale, double start) const noexcept {
   const auto slope_at = [&](double t) {
     const UnitCurve::Place place = curve_.at(t);
     const double tangent_x = scale.x * place.tangent.x;
     const double tangent_y = scale.y * place.tangent.y;
     const double length = std::sqrt(tangent_x * tangent_x + tangent_y * tangent_y);
-    return ((sample.x - scale.x * place.point.x) * tangent_x + (sample.y - scale.y * place.point.y) * tangent_y) / length;
+    return ((sample.x - scale.x * place.point.x) * tangent_x + (sample.y - scale.y * place.point.y) * tangent_y) /
+           length;
   };
   constexpr int step_limit = 60;
   constexpr double tolerance = 1e-10;
@@ -45,7 +46,8 @@ double ContactResiduals::closest(PlanePoint sample, PlanePoint scale, double sta
 
 PlanePoint ContactResiduals::scale_of(const WeightedSample& sample, std::span<const double> parameters) const noexcept {
   const double gamma = layout_.gamma ? parameters[layout_.gamma_place()] : layout_.fixed_gamma;
-  return {std::exp(parameters[0]) * sample.load_force, std::exp(parameters[1] + gamma * sample.log_load) * sample.load_moment};
+  return {std::exp(parameters[0]) * sample.load_force,
+          std::exp(parameters[1] + gamma * sample.log_load) * sample.load_moment};
 }
 
 void ContactResiduals::expect_drift(std::span<const double> parameters, double variance) {
@@ -82,7 +84,8 @@ ContactResiduals::Ray ContactResiduals::common_ray(std::span<const double> param
   const double gamma = layout_.gamma ? parameters[layout_.gamma_place()] : layout_.fixed_gamma;
   const auto count = static_cast<double>(samples_.size());
   const auto per_load = [&](const WeightedSample& sample) {
-    return PlanePoint{sample.force / sample.load_force, sample.moment / (sample.load_moment * std::exp(gamma * sample.log_load))};
+    return PlanePoint{sample.force / sample.load_force,
+                      sample.moment / (sample.load_moment * std::exp(gamma * sample.log_load))};
   };
   PlanePoint mean{0.0, 0.0};
   for (const WeightedSample& sample : samples_) {
@@ -120,7 +123,8 @@ ContactResiduals::Ray ContactResiduals::common_ray(std::span<const double> param
   return ray;
 }
 
-bool ContactResiduals::evaluate(std::size_t i, std::span<const double> parameters, double& residual, double* gradient) const {
+bool ContactResiduals::evaluate(std::size_t i, std::span<const double> parameters, double& residual,
+                                double* gradient) const {
   const WeightedSample& sample = samples_[i];
   if (layout_.shape) curve_.bend(parameters[2]);
   const PlanePoint scale = scale_of(sample, parameters);
@@ -135,7 +139,8 @@ bool ContactResiduals::evaluate(std::size_t i, std::span<const double> parameter
     const PlanePoint point = curve_.at(there).point;
     return std::hypot(at.x - scale.x * point.x, at.y - scale.y * point.y);
   };
-  // Well inside the curve the distance has two minima, one towards each end: a search finds the nearer of them only by chance.
+  // Well inside the curve the distance has two minima, one towards each end: a search finds the nearer of them only by
+  // chance.
   constexpr double well_inside = 0.05;
   const PlanePoint nearest = curve_.at(t).point;
   const double size = std::hypot(scale.x * nearest.x, scale.y * nearest.y);

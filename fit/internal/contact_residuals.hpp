@@ -31,14 +31,16 @@ struct ContactLayout {
 /// Signed distance of each sample from the curve q(t) = (μ P x(t)/σ_F, μ_r P (P/P₀)^γ y(t)/σ_M), positive outside:
 ///   d = (sample − q(t*))·N, where N is the outward unit normal at the closest point t*.
 /// Because t* minimises the distance, its derivative vanishes: ∂d/∂θ = −N·∂q/∂θ at fixed t*.
-/// Errors of variance σ² along a curve of curvature κ move samples outwards by about κσ²/2 on average; `expect_drift` subtracts that.
+/// Errors of variance σ² along a curve of curvature κ move samples outwards by about κσ²/2 on average; `expect_drift`
+/// subtracts that.
 class ContactResiduals final : public ResidualModel {
  public:
   ContactResiduals(std::span<const WeightedSample> samples, UnitCurve& curve, ContactLayout layout);
   std::size_t count() const noexcept override { return samples_.size(); }
   bool evaluate(std::size_t i, std::span<const double> parameters, double& residual, double* gradient) const override;
 
-  /// From now on subtracts from each residual its mean at its closest point for `parameters`: that of errors of ±σ along the tangent.
+  /// From now on subtracts from each residual its mean at its closest point for `parameters`: that of errors of ±σ
+  /// along the tangent.
   void expect_drift(std::span<const double> parameters, double variance);
 
   /// The ray through the origin on which slips about one centre of rotation lie, where it fits best.

@@ -18,13 +18,13 @@ namespace limitcurve::fit::internal {
 struct CurvePoint {
   double x;
   double y;
-  /// Square root of the point's share of the rays (in polar angle, by the trapezoidal rule), 1 on average: the sum of squares of
-  /// residuals times this weight gives `CurveError::rms_error`.
+  /// Square root of the point's share of the rays (in polar angle, by the trapezoidal rule), 1 on average: the sum of
+  /// squares of residuals times this weight gives `CurveError::rms_error`.
   double weight;
 };
 
-/// `count` points of the curve of `law`, evenly spaced in the normalised slip angle atan(s/m₀) from pure twist to pure slide; the ends
-/// are exact.
+/// `count` points of the curve of `law`, evenly spaced in the normalised slip angle atan(s/m₀) from pure twist to pure
+/// slide; the ends are exact.
 inline std::vector<CurvePoint> curve_points(const PressureLaw& law, std::size_t count) {
   if (count < 3) throw std::invalid_argument("points = " + std::to_string(count) + " is out of range: expected >= 3");
   constexpr double quarter_turn = 1.5707963267948966;

@@ -21,7 +21,8 @@ namespace limitcurve::fit::internal {
 
 namespace {
 
-/// What `let_interrupt` threw. It does not pass through Ceres, where every later residual is 0, which ends the iteration.
+/// What `let_interrupt` threw. It does not pass through Ceres, where every later residual is 0, which ends the
+/// iteration.
 class Interruption {
  public:
   [[nodiscard]] bool has_come() noexcept {
@@ -43,7 +44,8 @@ class Interruption {
 /// One sample's residual for Ceres. The model and the interruption outlive the problem.
 class SampleCost final : public ceres::CostFunction {
  public:
-  SampleCost(const ResidualModel& model, std::size_t sample, std::span<const Parameter> parameters, Interruption& interruption)
+  SampleCost(const ResidualModel& model, std::size_t sample, std::span<const Parameter> parameters,
+             Interruption& interruption)
       : model_(model), sample_(sample), parameters_(parameters), interruption_(interruption) {
     set_num_residuals(1);
     mutable_parameter_block_sizes()->push_back(static_cast<int>(parameters.size()));
@@ -123,7 +125,8 @@ std::string reason_of(const ceres::Solver::Summary& summary) {
 }
 
 /// One run of Ceres from `solution.values`, within the bounds.
-void descend(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss, double tolerance, Solution& solution) {
+void descend(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss, double tolerance,
+             Solution& solution) {
   const std::size_t free = parameters.size();
   double* const block = solution.values.data();
   const std::unique_ptr<ceres::LossFunction> loss_function = make_loss(loss);
@@ -157,7 +160,8 @@ void descend(const ResidualModel& model, std::span<const Parameter> parameters, 
   solution.jacobian.resize(model.count() * free);
   for (std::size_t i = 0; i < model.count(); ++i) {
     let_interrupt();
-    if (!model.evaluate(i, solution.values, solution.residuals[i], solution.jacobian.data() + i * free)) solution.converged = false;
+    if (!model.evaluate(i, solution.values, solution.residuals[i], solution.jacobian.data() + i * free))
+      solution.converged = false;
   }
 }
 
@@ -183,14 +187,16 @@ Descent descent_of(const Solution& solution, std::size_t parameter, const Loss& 
 
 }  // namespace
 
-Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss, double tolerance) {
+Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss,
+                  double tolerance) {
   Solution solution;
   for (const Parameter& parameter : parameters) {
     solution.values.push_back(std::clamp(parameter.start, parameter.low, parameter.high));
   }
   descend(model, parameters, loss, tolerance, solution);
-  // On a bound Ceres (2.1) may stop early: it cuts its step there, and takes the small change of the cost for convergence. Where parameters
-  // that can still move would gain, those that the cost presses against their bounds are held, and the others are solved for again.
+  // On a bound Ceres (2.1) may stop early: it cuts its step there, and takes the small change of the cost for
+  // convergence. Where parameters that can still move would gain, those that the cost presses against their bounds are
+  // held, and the others are solved for again.
   for (std::size_t round = 0; round <= parameters.size(); ++round) {
     std::vector<Parameter> held(parameters.begin(), parameters.end());
     bool is_on_bound = false;
@@ -228,7 +234,8 @@ double cost_of(const Solution& solution, const Loss& loss) {
   return cost;
 }
 
-std::vector<double> covariance(const Solution& solution, std::span<const Parameter> parameters, const Loss& loss, double variance) {
+std::vector<double> covariance(const Solution& solution, std::span<const Parameter> parameters, const Loss& loss,
+                               double variance) {
   using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto free = static_cast<Eigen::Index>(parameters.size());
   const auto count = static_cast<Eigen::Index>(solution.residuals.size());
@@ -241,7 +248,8 @@ std::vector<double> covariance(const Solution& solution, std::span<const Paramet
   std::string names;
   for (Eigen::Index j = 0; j < free; ++j) {
     // No residual depends on it, except by rounding (parameters are logarithms or of order one).
-    if (!(length[j] > rank_threshold * longest)) names += (names.empty() ? "" : ", ") + parameters[static_cast<std::size_t>(j)].name;
+    if (!(length[j] > rank_threshold * longest))
+      names += (names.empty() ? "" : ", ") + parameters[static_cast<std::size_t>(j)].name;
   }
   if (!names.empty()) throw std::invalid_argument("not identifiable from these samples: " + names);
   const Eigen::MatrixXd scaled = jacobian * length.cwiseInverse().asDiagonal();
@@ -267,7 +275,8 @@ std::vector<double> covariance(const Solution& solution, std::span<const Paramet
   }
   RowMatrix result;
   if (loss.kind == Loss::Kind::squared) {
-    result = variance * svd.matrixV() * svd.singularValues().array().square().inverse().matrix().asDiagonal() * svd.matrixV().transpose();
+    result = variance * svd.matrixV() * svd.singularValues().array().square().inverse().matrix().asDiagonal() *
+             svd.matrixV().transpose();
   } else {
     const Eigen::MatrixXd inverse = bread.inverse();
     const double few = static_cast<double>(count) / std::max(1.0, static_cast<double>(count - free));

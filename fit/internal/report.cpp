@@ -9,10 +9,13 @@
 
 namespace limitcurve::fit::internal {
 
-std::invalid_argument too_few_samples(std::size_t count, std::size_t free, const std::string& names, const std::string& sigmas) {
-  const std::string one_more = std::to_string(free + 1) + " samples, or " + std::to_string(free) + " with the columns " + sigmas;
-  return std::invalid_argument("not identifiable from " + std::to_string(count) + (count == 1 ? " sample: " : " samples: ") + names +
-                               ", expected at least " + one_more + ": without sigmas the noise is known from the scatter alone");
+std::invalid_argument too_few_samples(std::size_t count, std::size_t free, const std::string& names,
+                                      const std::string& sigmas) {
+  const std::string one_more =
+      std::to_string(free + 1) + " samples, or " + std::to_string(free) + " with the columns " + sigmas;
+  return std::invalid_argument("not identifiable from " + std::to_string(count) +
+                               (count == 1 ? " sample: " : " samples: ") + names + ", expected at least " + one_more +
+                               ": without sigmas the noise is known from the scatter alone");
 }
 
 double root_mean_square(std::span<const double> residuals) noexcept {
@@ -52,13 +55,15 @@ void set_estimates(FitReport& report, std::span<const Quantity> quantities, std:
   const auto propagated = [&](std::size_t a, std::size_t b) {
     double sum = 0.0;
     for (std::size_t i = 0; i < free; ++i) {
-      for (std::size_t j = 0; j < free; ++j) sum += jacobian[a * free + i] * covariance[i * free + j] * jacobian[b * free + j];
+      for (std::size_t j = 0; j < free; ++j)
+        sum += jacobian[a * free + i] * covariance[i * free + j] * jacobian[b * free + j];
     }
     return sum;
   };
   report.estimates.clear();
   for (std::size_t a = 0; a < count; ++a) {
-    report.estimates.push_back({quantities[a].name, quantities[a].value, std::sqrt(std::max(propagated(a, a), 0.0)), quantities[a].unit});
+    report.estimates.push_back(
+        {quantities[a].name, quantities[a].value, std::sqrt(std::max(propagated(a, a), 0.0)), quantities[a].unit});
   }
   report.correlation.assign(count * count, 0.0);
   for (std::size_t a = 0; a < count; ++a) {

@@ -66,7 +66,8 @@ class FlexibleCurve final : public PolarCurve {
     const double fourth = x * x + y * y + kappa_ * x * y;
     const double gauge = std::sqrt(std::sqrt(fourth));
     const double scale = gauge / (2.0 * fourth);
-    return {gauge, ray.x * (2.0 * x + kappa_ * y) * scale, ray.y * (2.0 * y + kappa_ * x) * scale, x * y / (4.0 * fourth)};
+    return {gauge, ray.x * (2.0 * x + kappa_ * y) * scale, ray.y * (2.0 * y + kappa_ * x) * scale,
+            x * y / (4.0 * fourth)};
   }
 
  private:
@@ -86,7 +87,9 @@ class LawCurve final : public UnitCurve {
   double low() const noexcept override { return family_ != nullptr ? family_->low() : 0.0; }
   double high() const noexcept override { return family_ != nullptr ? family_->high() : 0.0; }
   double start() const noexcept override { return start_; }
-  double parameter(double coordinate) const noexcept override { return family_ != nullptr ? family_->parameter(coordinate) : coordinate; }
+  double parameter(double coordinate) const noexcept override {
+    return family_ != nullptr ? family_->parameter(coordinate) : coordinate;
+  }
   double parameter_slope(double coordinate) const noexcept override {
     return family_ != nullptr ? family_->parameter_slope(coordinate) : 1.0;
   }

@@ -8,8 +8,8 @@
 
 namespace limitcurve::fit::internal {
 
-/// A family of convex curves from (1, 0) to (0, 1) in the normalised plane, parametrised by t ∈ [0, 1] from pure slide to
-/// pure twist, with at most one shape parameter. The sample fits use a limit curve only through this interface.
+/// A family of convex curves from (1, 0) to (0, 1) in the normalised plane, parametrised by t ∈ [0, 1] from pure slide
+/// to pure twist, with at most one shape parameter. The sample fits use a limit curve only through this interface.
 class UnitCurve {
  public:
   struct Place {

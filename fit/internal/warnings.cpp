@@ -14,7 +14,8 @@ namespace limitcurve::fit::internal {
 std::string listed(const char* one, const char* several, const std::vector<std::size_t>& places) {
   constexpr std::size_t most = 12;
   std::string text = places.size() == 1 ? one : several;
-  for (std::size_t i = 0; i < std::min(places.size(), most); ++i) text += (i == 0 ? " " : ", ") + std::to_string(places[i] + 1);
+  for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
+    text += (i == 0 ? " " : ", ") + std::to_string(places[i] + 1);
   return places.size() > most ? text + " and " + std::to_string(places.size() - most) + " more" : text;
 }
 
@@ -37,25 +38,28 @@ std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, do
 
 void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& outliers, const Loss& loss) {
   if (outliers.empty()) return;
-  report.warnings.push_back(listed("row", "rows", outliers) + " of " + std::to_string(report.residuals) +
-                            " (the first is 1): gross outliers; mislabelled, or taken while the finger held?" +
-                            (loss.kind == Loss::Kind::squared ? " The squared loss follows them; Cauchy's does not" : ""));
+  report.warnings.push_back(
+      listed("row", "rows", outliers) + " of " + std::to_string(report.residuals) +
+      " (the first is 1): gross outliers; mislabelled, or taken while the finger held?" +
+      (loss.kind == Loss::Kind::squared ? " The squared loss follows them; Cauchy's does not" : ""));
 }
 
 void warn_of_rows_inside(FitReport& report, std::span<const double> distances) {
   constexpr double far_inside = -0.5;
   constexpr double many = 0.05;
-  const auto inside = std::count_if(distances.begin(), distances.end(), [](double distance) { return distance < far_inside; });
+  const auto inside =
+      std::count_if(distances.begin(), distances.end(), [](double distance) { return distance < far_inside; });
   if (static_cast<double>(inside) <= many * static_cast<double>(distances.size())) return;
-  report.warnings.push_back(std::to_string(inside) + " of " + std::to_string(distances.size()) +
-                            " rows lie inside the curve by more than half of it: taken while the finger held? Fit slips only");
+  report.warnings.push_back(
+      std::to_string(inside) + " of " + std::to_string(distances.size()) +
+      " rows lie inside the curve by more than half of it: taken while the finger held? Fit slips only");
 }
 
 void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& loss, bool with_sigma) {
   const auto count = static_cast<double>(solution.residuals.size());
   if (!with_sigma || report.residuals <= report.free_parameters) return;
-  const double scatter =
-      loss.kind != Loss::Kind::squared ? 1.4826 * median_size(solution.residuals) : std::sqrt(residual_variance(solution));
+  const double scatter = loss.kind != Loss::Kind::squared ? 1.4826 * median_size(solution.residuals)
+                                                          : std::sqrt(residual_variance(solution));
   const bool large = scatter > 1.0 + 3.0 / std::sqrt(count);
   report.scatter_refused = large;
   if (!large && !(scatter < 1.0 - 3.0 / std::sqrt(count))) return;
@@ -67,13 +71,15 @@ void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& lo
 void refuse_hidden(const Parameter& parameter, double variance) {
   if (std::sqrt(variance) < 0.5 * (parameter.high - parameter.low)) return;
   throw std::invalid_argument("not identifiable from these samples: " + parameter.name + " (its standard error is " +
-                              format_number(std::sqrt(variance), 3) + ", more than half of its range, " + format_number(parameter.low) +
-                              " to " + format_number(parameter.high) + "), expected loads that differ more, or less scatter");
+                              format_number(std::sqrt(variance), 3) + ", more than half of its range, " +
+                              format_number(parameter.low) + " to " + format_number(parameter.high) +
+                              "), expected loads that differ more, or less scatter");
 }
 
 void warn_of_end(FitReport& report, const Parameter& parameter, double value) {
   if (std::min(value - parameter.low, parameter.high - value) > 1e-6 * (parameter.high - parameter.low)) return;
-  report.warnings.push_back(parameter.name + " is at the end of its range, " + format_number(value, 3) + ": the data may ask for more");
+  report.warnings.push_back(parameter.name + " is at the end of its range, " + format_number(value, 3) +
+                            ": the data may ask for more");
 }
 
 void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, double spare, double rms) {
@@ -84,9 +90,11 @@ void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, do
   if (!(difference > rare * gamma.std_error)) return;
   report.gamma_refused = true;
   // Gross outliers may hide the gain.
-  const std::string gain = rms < report.rms ? ": rms " + format_number(rms, 3) + " instead of " + format_number(report.rms, 3) : "";
-  report.warnings.push_back("gamma = " + format_number(assumed) + " was assumed, but " + format_number(gamma.value, 3) + " +- " +
-                            format_number(gamma.std_error, 3) + " explains the samples better" + gain + "; fit gamma too");
+  const std::string gain =
+      rms < report.rms ? ": rms " + format_number(rms, 3) + " instead of " + format_number(report.rms, 3) : "";
+  report.warnings.push_back("gamma = " + format_number(assumed) + " was assumed, but " + format_number(gamma.value, 3) +
+                            " +- " + format_number(gamma.std_error, 3) + " explains the samples better" + gain +
+                            "; fit gamma too");
 }
 
 }  // namespace limitcurve::fit::internal

@@ -16,16 +16,17 @@ namespace limitcurve::fit::internal {
 /// "row 3", or "rows 3, 17 and 2 more": places counted from 1.
 std::string listed(const char* one, const char* several, const std::vector<std::size_t>& places);
 
-/// Rows whose distance from the curve of a robust fit is larger than the scatter of the others explains: a normal error reaches it in one
-/// of 200 data sets. `noise` is the unit of the residuals, in limits. The scatter comes from the median, with Rousseeuw's correction for
-/// few samples. Without sigmas nothing below a thousandth of the limits is gross.
+/// Rows whose distance from the curve of a robust fit is larger than the scatter of the others explains: a normal error
+/// reaches it in one of 200 data sets. `noise` is the unit of the residuals, in limits. The scatter comes from the
+/// median, with Rousseeuw's correction for few samples. Without sigmas nothing below a thousandth of the limits is
+/// gross.
 std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, double noise);
 
 /// Adds a warning with the outliers (0 is the first row), if any, of a fit with `loss`.
 void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& outliers, const Loss& loss);
 
-/// Warns if more than 5 % of the rows lie inside the curve by more than half of the limits (`distances` from it are relative to them). Rows
-/// that were taken while the finger held are no slips.
+/// Warns if more than 5 % of the rows lie inside the curve by more than half of the limits (`distances` from it are
+/// relative to them). Rows that were taken while the finger held are no slips.
 void warn_of_rows_inside(FitReport& report, std::span<const double> distances);
 
 /// Warns if the residuals, in standard deviations as given, scatter more or less than those say by more than chance.
@@ -37,8 +38,8 @@ void refuse_hidden(const Parameter& parameter, double variance);
 /// Warns if a parameter ends at the end of its range.
 void warn_of_end(FitReport& report, const Parameter& parameter, double value);
 
-/// Adds a warning if `gamma`, fitted with `spare` more rows than parameters and this rms, differs from the assumed gamma by more than
-/// chance gives in one of 2000 data sets (Student's distribution).
+/// Adds a warning if `gamma`, fitted with `spare` more rows than parameters and this rms, differs from the assumed
+/// gamma by more than chance gives in one of 2000 data sets (Student's distribution).
 void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, double spare, double rms);
 
 }  // namespace limitcurve::fit::internal

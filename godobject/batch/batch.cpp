@@ -11,7 +11,8 @@ namespace limitcurve::godobject {
 namespace kernel {
 
 template <class Real>
-void step_with([[maybe_unused]] InstructionSet set, const Shared<Real>& shared, const BasicContactBatch<Real>& contacts) noexcept {
+void step_with([[maybe_unused]] InstructionSet set, const Shared<Real>& shared,
+               const BasicContactBatch<Real>& contacts) noexcept {
   const std::size_t count = contacts.size();
   std::size_t i = 0;
 #ifdef LIMITCURVE_PACKS

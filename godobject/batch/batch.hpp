@@ -10,16 +10,17 @@
 
 namespace limitcurve::godobject {
 
-/// Many contacts as a structure of arrays, each contact in its own tangent plane: position and depth of the finger (in), the proxy (in and
-/// out), and the friction wrench on the user (out). All arrays have the same length, and must not overlap.
+/// Many contacts as a structure of arrays, each contact in its own tangent plane: position and depth of the finger
+/// (in), the proxy (in and out), and the friction wrench on the user (out). All arrays have the same length, and must
+/// not overlap.
 ///
-/// A sample that is not plausible (`farthest`), a NaN among them, is a fault of the device. The contact's state is then `invalid`, and none of
-/// its other arrays changes: its last output is held. A proxy that is not finite, or farther from the finger than two samples can be, is a
-/// fault until the contact ends.
+/// A sample that is not plausible (`farthest`), a NaN among them, is a fault of the device. The contact's state is then
+/// `invalid`, and none of its other arrays changes: its last output is held. A proxy that is not finite, or farther
+/// from the finger than two samples can be, is a fault until the contact ends.
 ///
-/// A float takes half the memory of a double, but resolves 6e-8 of a coordinate: 60 nm at 1 m from the origin, while slips are micrometres.
-/// So give positions relative to a point near the contact (the object's origin, the touch-down), and angles within a few turns. A slip
-/// below the resolution does not move the proxy, and counts as held.
+/// A float takes half the memory of a double, but resolves 6e-8 of a coordinate: 60 nm at 1 m from the origin, while
+/// slips are micrometres. So give positions relative to a point near the contact (the object's origin, the touch-down),
+/// and angles within a few turns. A slip below the resolution does not move the proxy, and counts as held.
 template <class Real>
 struct BasicContactBatch {
   std::span<const Real> x;  ///< x_g [m]
@@ -28,9 +29,10 @@ struct BasicContactBatch {
   std::span<const Real> depth;  ///< d [m]; ≤ 0: free, the proxy follows the finger
   std::span<Real> proxy_x;      ///< x_p [m]
   std::span<Real> proxy_y;
-  std::span<Real> proxy_angle;            ///< α_p [rad]
-  std::span<ContactState> state;          ///< in and out; initially `free`, `invalid` after a fault
-  std::span<ContactState> force_slides;   ///< memory: `slip` while the sliding limit acts, else `stick`; initially `free`
+  std::span<Real> proxy_angle;    ///< α_p [rad]
+  std::span<ContactState> state;  ///< in and out; initially `free`, `invalid` after a fault
+  std::span<ContactState>
+      force_slides;  ///< memory: `slip` while the sliding limit acts, else `stick`; initially `free`
   std::span<ContactState> moment_slides;  ///< on a box the same for the moment; otherwise not used
   std::span<Real> search_start;           ///< warm start of the search (FrictionMemory); initially 0
   std::span<Real> search_rate;            ///< its rate; initially 0
@@ -58,7 +60,11 @@ class BasicContactArrays {
  public:
   /// Throws std::bad_alloc or std::length_error.
   explicit BasicContactArrays(std::size_t count)
-      : count_(count), stride_((count + page - 1) / page * page + shift), state_(count), sliding_(count), turning_(count) {
+      : count_(count),
+        stride_((count + page - 1) / page * page + shift),
+        state_(count),
+        sliding_(count),
+        turning_(count) {
     numbers_.resize(stride_ * arrays);
   }
 
@@ -95,8 +101,9 @@ class BasicContactArrays {
 using ContactArrays = BasicContactArrays<double>;
 using FloatContactArrays = BasicContactArrays<float>;
 
-/// The friction step (step b) of many contacts that share a limit curve and parameters: every curve and projection, μ_d < μ_s, a(P), Γ = 0,
-/// in double or float. Unlike SoftFinger it has no dampers, no fading output and no unwrapping of angles.
+/// The friction step (step b) of many contacts that share a limit curve and parameters: every curve and projection, μ_d
+/// < μ_s, a(P), Γ = 0, in double or float. Unlike SoftFinger it has no dampers, no fading output and no unwrapping of
+/// angles.
 ///
 ///     const Batch batch(Table::build(hertz(), 1e-8), {.mu = 0.6});
 ///     ContactArrays arrays(10000);
@@ -108,7 +115,8 @@ template <class Real>
 class BasicBatch {
  public:
   /// Throws std::invalid_argument with parameter, value, unit and range. A box requires the closest point.
-  BasicBatch(BasicFingerCurve<Real> curve, const FingerParameters& parameters, Projection projection = Projection::closest_point);
+  BasicBatch(BasicFingerCurve<Real> curve, const FingerParameters& parameters,
+             Projection projection = Projection::closest_point);
 
   /// Steps all contacts. The arrays must have the same length. Does not throw, allocate or lock.
   void step(const BasicContactBatch<Real>& contacts) const noexcept;

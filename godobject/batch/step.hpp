@@ -13,8 +13,8 @@ namespace limitcurve::godobject::kernel {
 
 using namespace limitcurve::kernel;
 
-// Reading and writing arrays, for a single number. pack.hpp has the same functions for packs; the last argument, which is not used, has the
-// type of the number or pack.
+// Reading and writing arrays, for a single number. pack.hpp has the same functions for packs; the last argument, which
+// is not used, has the type of the number or pack.
 
 template <std::floating_point Number>
 [[nodiscard]] Number load(const Number* from, Number) noexcept {
@@ -29,7 +29,8 @@ template <class State, std::floating_point Number>
   return *states == wanted;
 }
 template <class State, std::floating_point Number>
-void set_states_where(bool where, State* states, bool first, bool second, const std::array<State, 3>& values, Number) noexcept {
+void set_states_where(bool where, State* states, bool first, bool second, const std::array<State, 3>& values,
+                      Number) noexcept {
   if (where) *states = !first ? values[0] : !second ? values[1] : values[2];
 }
 
@@ -82,23 +83,27 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const FrictionLimits<Number> limits = shared.limits.template at<Real>(normal_load, stiffness / twist_stiffness);
   const Number r = sqrt(trial_x * trial_x + trial_y * trial_y);
   const Number rho = abs(twist);
-  // A proxy farther than two samples can be, or NaN, is memory that the caller never wrote: a fault until the contact ends.
+  // A proxy farther than two samples can be, or NaN, is memory that the caller never wrote: a fault until the contact
+  // ends.
   const auto is_known = is_usable && r + rho <= Number(static_cast<Real>(4.0 * farthest));
   const Number rounding = Number(std::numeric_limits<Real>::epsilon() / 2);
   // Without torsion the angle has no friction, so its rounding does not matter.
-  const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho, stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
+  const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho,
+                                    stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
                                     limits.has_torsion ? twist_stiffness * rounding * abs(proxy_angle) : zero};
   const auto was_sliding = stays && is_at(contacts.force_slides, ContactState::slip);
   auto was_turning = was_sliding;
   if (shared.curve.is_box) was_turning = stays && is_at(contacts.moment_slides, ContactState::slip);
-  const FrictionMemory<Number> before{was_sliding, was_turning, read(contacts.search_start), read(contacts.search_rate)};
+  const FrictionMemory<Number> before{was_sliding, was_turning, read(contacts.search_start),
+                                      read(contacts.search_rate)};
   FrictionMemory<Number> memory = before;
   const FrictionResult<Number> friction = apply_friction(shared.curve, shared.projection, limits, trial, memory);
   const Number kept_x = trial_x * friction.force_fraction;
   const Number kept_y = trial_y * friction.force_fraction;
   const Number kept_twist = twist * friction.moment_fraction;
 
-  // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
+  // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as
+  // stick.
   const auto force_slides = friction.force_fraction < Number(Real(1));
   const auto moment_slides = friction.moment_fraction < Number(Real(1));
   const Number new_x = select(force_slides, x + kept_x, proxy_x);
@@ -123,19 +128,21 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   constexpr States states{ContactState::free, ContactState::stick, ContactState::slip};
   set_states_where(is_known, contacts.state.data() + i, touches, slips, states, zero);
   set_states_where(is_known, contacts.force_slides.data() + i, touches, memory.force_slides, states, zero);
-  if (shared.curve.is_box) set_states_where(is_known, contacts.moment_slides.data() + i, touches, memory.moment_slides, states, zero);
+  if (shared.curve.is_box)
+    set_states_where(is_known, contacts.moment_slides.data() + i, touches, memory.moment_slides, states, zero);
   if (any(!is_known)) {
     constexpr States invalid{ContactState::invalid, ContactState::invalid, ContactState::invalid};
     set_states_where(!is_known, contacts.state.data() + i, touches, slips, invalid, zero);
   }
 }
 
-/// Steps all contacts: those that fill packs with the set, which must be supported, the others with single numbers. All sets give the same
-/// bits.
+/// Steps all contacts: those that fill packs with the set, which must be supported, the others with single numbers. All
+/// sets give the same bits.
 template <class Real>
 void step_with(InstructionSet set, const Shared<Real>& shared, const BasicContactBatch<Real>& contacts) noexcept;
 
-/// Steps the first contacts, as many as fill packs, and returns their number. Each instruction set has its own source file.
+/// Steps the first contacts, as many as fill packs, and returns their number. Each instruction set has its own source
+/// file.
 template <class Isa, class Real>
 std::size_t step_packs(const Shared<Real>& shared, const BasicContactBatch<Real>& contacts, std::size_t count) noexcept;
 

@@ -9,8 +9,8 @@
 
 #include <cstddef>
 
-/// The step of a batch by packs. Powers, logarithms and the c-curve are computed lane by lane, by functions of other sources: this one may be
-/// compiled for a processor that not every user has.
+/// The step of a batch by packs. Powers, logarithms and the c-curve are computed lane by lane, by functions of other
+/// sources: this one may be compiled for a processor that not every user has.
 namespace limitcurve::kernel {
 
 // Here because the step finds them by the type of its numbers.
@@ -22,12 +22,12 @@ template <class Real, class Isa>
 }
 
 template <class Real, class Isa>
-[[nodiscard]] godobject::Projected<Pack<Real, Isa>> project_along_c_curve(const CurveView<Real>& curve,
-                                                                          const godobject::UnitTrial<Pack<Real, Isa>>& trial,
-                                                                          Pack<Real, Isa> last, const RadiusLaw& radius_law,
-                                                                          Pack<Real, Isa> load) noexcept {
-  const auto force = lanes_of(trial.force), moment = lanes_of(trial.moment), compliance_ratio = lanes_of(trial.compliance_ratio),
-             slip_from = lanes_of(trial.slip_from), parameter = lanes_of(last), loads = lanes_of(load);
+[[nodiscard]] godobject::Projected<Pack<Real, Isa>> project_along_c_curve(
+    const CurveView<Real>& curve, const godobject::UnitTrial<Pack<Real, Isa>>& trial, Pack<Real, Isa> last,
+    const RadiusLaw& radius_law, Pack<Real, Isa> load) noexcept {
+  const auto force = lanes_of(trial.force), moment = lanes_of(trial.moment),
+             compliance_ratio = lanes_of(trial.compliance_ratio), slip_from = lanes_of(trial.slip_from),
+             parameter = lanes_of(last), loads = lanes_of(load);
   Lanes<Real, Isa> outside, force_fraction, moment_fraction, slide, spin, next;
   for (std::size_t i = 0; i < outside.size(); ++i) {
     const godobject::Projected<Real> lane = godobject::project_along_c_curve(
@@ -53,7 +53,8 @@ namespace limitcurve::godobject::kernel {
 
 /// All functions of a step are inlined into one loop, so that numbers stay in registers.
 template <class Isa, class Real>
-[[gnu::flatten]] std::size_t step_packs(const Shared<Real>& shared, const BasicContactBatch<Real>& contacts, std::size_t count) noexcept {
+[[gnu::flatten]] std::size_t step_packs(const Shared<Real>& shared, const BasicContactBatch<Real>& contacts,
+                                        std::size_t count) noexcept {
   using Number = Pack<Real, Isa>;
   // Copies, so that they need not be read again after each number that is written.
   const BasicContactBatch<Real> arrays = contacts;

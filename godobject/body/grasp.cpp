@@ -15,12 +15,14 @@ namespace limitcurve::godobject {
 
 namespace {
 
-// Not aligned, so that no user's LU of a 6×6 matrix, compiled for another processor (-march=native), stands in for ours.
+// Not aligned, so that no user's LU of a 6×6 matrix, compiled for another processor (-march=native), stands in for
+// ours.
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 
 /// Whether a body's state is valid: finite, no number beyond `farthest`, an orientation of unit length.
 bool is_plausible(const BodyState& state) noexcept {
-  const double square = state.position.squaredNorm() + state.velocity.squaredNorm() + state.angular_velocity.squaredNorm();
+  const double square =
+      state.position.squaredNorm() + state.velocity.squaredNorm() + state.angular_velocity.squaredNorm();
   return godobject::is_plausible<double>(square) && std::fabs(state.orientation.squaredNorm() - 1.0) <= 1e-6;
 }
 
@@ -30,13 +32,15 @@ struct Motion {
   Eigen::Vector3d angular_momentum;
 };
 
-/// The end of a step with the velocities ξ. In space the rotation ω Δt of the step is that of a free body, after a moment at the beginning
-/// has given it its momentum: then ω is the mean of the angular velocities before and after the turn, in the body's axes, and the turn
-/// changes neither the momentum nor the energy. With t the axis times the tangent of half the
-/// angle and J the inertia, these angular velocities are ω ± J⁻¹(t × Jω).
-Motion moved(const BodyParameters& body, const BodyState& from, const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity,
-             double time_step) noexcept {
-  BodyState next{{from.position + velocity * time_step, turned(from.orientation, angular_velocity, time_step)}, velocity, angular_velocity};
+/// The end of a step with the velocities ξ. In space the rotation ω Δt of the step is that of a free body, after a
+/// moment at the beginning has given it its momentum: then ω is the mean of the angular velocities before and after the
+/// turn, in the body's axes, and the turn changes neither the momentum nor the energy. With t the axis times the
+/// tangent of half the angle and J the inertia, these angular velocities are ω ± J⁻¹(t × Jω).
+Motion moved(const BodyParameters& body, const BodyState& from, const Eigen::Vector3d& velocity,
+             const Eigen::Vector3d& angular_velocity, double time_step) noexcept {
+  BodyState next{{from.position + velocity * time_step, turned(from.orientation, angular_velocity, time_step)},
+                 velocity,
+                 angular_velocity};
   if (!(body.free[3] && body.free[4] && body.free[5])) return {next, angular_momentum(body, next)};
   const Eigen::Vector3d rate = from.orientation.conjugate() * angular_velocity;
   const Eigen::Vector3d quarter = quarter_turn(rate, time_step);
@@ -48,7 +52,8 @@ Motion moved(const BodyParameters& body, const BodyState& from, const Eigen::Vec
 }
 
 /// The change of the angular velocity by an angular impulse about the free axes [N m s], whose other components are 0.
-Eigen::Vector3d turn_by(const BodyParameters& body, const Orientation& orientation, const Eigen::Vector3d& impulse) noexcept {
+Eigen::Vector3d turn_by(const BodyParameters& body, const Orientation& orientation,
+                        const Eigen::Vector3d& impulse) noexcept {
   const Eigen::Matrix3d axes = orientation.toRotationMatrix();
   Eigen::Matrix3d inertia = axes * body.inertia.asDiagonal() * axes.transpose();
   for (Eigen::Index i = 0; i < 3; ++i) {
@@ -62,7 +67,8 @@ Eigen::Vector3d turn_by(const BodyParameters& body, const Orientation& orientati
 
 }  // namespace
 
-Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurface surface, std::vector<SoftFinger> fingers)
+Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurface surface,
+             std::vector<SoftFinger> fingers)
     : parameters_(parameters),
       state_(state),
       surface_(std::move(surface)),
@@ -75,7 +81,8 @@ Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurfac
   if (const double norm = state.orientation.norm(); !(std::fabs(norm - 1.0) <= 1e-9)) {
     throw out_of_range("norm of the orientation", norm, "1", "1");
   }
-  if (!is_plausible(state)) throw std::invalid_argument("state of the body: expected positions and velocities within 1e6 m, m/s and rad/s");
+  if (!is_plausible(state))
+    throw std::invalid_argument("state of the body: expected positions and velocities within 1e6 m, m/s and rad/s");
 }
 
 void Grasp::step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force,
@@ -84,7 +91,8 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
   Load external;
   external.add(force + parameters_.mass * parameters_.gravity, moment, gyration_);
   // The speeds that the forces alone would give.
-  const BodyState pushed{{}, external.force * (time_step / parameters_.mass), moment * (time_step / parameters_.inertia.minCoeff())};
+  const BodyState pushed{
+      {}, external.force * (time_step / parameters_.mass), moment * (time_step / parameters_.inertia.minCoeff())};
   if (!is_plausible(pushed)) return mark_invalid(Fault::force);
   // In whole, or in parts, counted in the smallest.
   bool all_solved = true;
@@ -92,7 +100,8 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
   for (int done = 0; done < max_parts;) {
     const int end = done + size;
     const double part = time_step * size / max_parts;
-    const std::span<const DevicePose> poses = end == max_parts ? devices : between(devices, static_cast<double>(end) / max_parts);
+    const std::span<const DevicePose> poses =
+        end == max_parts ? devices : between(devices, static_cast<double>(end) / max_parts);
     bool solved = false;
     const Attempt attempt = solve(poses, part, external, solved);
     if (!solved && size > 1 && (size < max_parts || may_divide(devices, time_step))) {
@@ -167,9 +176,11 @@ std::span<const DevicePose> Grasp::between(std::span<const DevicePose> devices, 
   return {between_.data(), last_count_};
 }
 
-/// The fingers' load on the body if `state` were its next state: the opposite of the users' forces, on the lines through finger and proxy,
-/// so that both ends have the same moment. What rests keeps the sticking limit. Does not change the fingers.
-Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept {
+/// The fingers' load on the body if `state` were its next state: the opposite of the users' forces, on the lines
+/// through finger and proxy, so that both ends have the same moment. What rests keeps the sticking limit. Does not
+/// change the fingers.
+Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> devices,
+                           double time_step) const noexcept {
   Load load;
   for (std::size_t i = 0; i < fingers_.size() && i < devices.size(); ++i) {
     const DevicePose device = to_body(state, devices[i]);
@@ -183,8 +194,8 @@ Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> d
   return load;
 }
 
-/// Steps a–c of all fingers; changes them, and adds what their slip dissipates. If it `continues` a step, the output is that of the step: it
-/// slips if a part of it did.
+/// Steps a–c of all fingers; changes them, and adds what their slip dissipates. If it `continues` a step, the output is
+/// that of the step: it slips if a part of it did.
 void Grasp::commit(std::span<const DevicePose> devices, double time_step, bool continues) noexcept {
   for (std::size_t i = 0; i < fingers_.size(); ++i) {
     SoftFinger& finger = fingers_[i];
@@ -209,14 +220,15 @@ void Grasp::mark_invalid(Fault fault) noexcept {
   for (SoftFinger& finger : fingers_) finger.mark_invalid(fault);
 }
 
-/// A try with the velocities ξ: its residual is the change of momentum minus the impulse of the loads at the end of the step, in units of
-/// velocity.
+/// A try with the velocities ξ: its residual is the change of momentum minus the impulse of the loads at the end of the
+/// step, in units of velocity.
 Grasp::Attempt Grasp::attempt(const Vector6& velocities, std::span<const DevicePose> devices, double time_step,
                               const Load& external) const noexcept {
   const Motion next = moved(parameters_, state_, velocities.head<3>(), velocities.tail<3>(), time_step);
   Load load = preview(next.state, devices, time_step);
   load.add(external.force, external.moment, gyration_);
-  const Eigen::Vector3d turning = next.angular_momentum - angular_momentum(parameters_, state_) - load.moment * time_step;
+  const Eigen::Vector3d turning =
+      next.angular_momentum - angular_momentum(parameters_, state_) - load.moment * time_step;
   Vector6 error;
   error.head<3>() = velocities.head<3>() - state_.velocity - load.force * (time_step / parameters_.mass);
   error.tail<3>() = turning / parameters_.inertia.mean();
@@ -228,9 +240,11 @@ Grasp::Attempt Grasp::attempt(const Vector6& velocities, std::span<const DeviceP
           speed(state_.velocity, state_.angular_velocity) + load.size * time_step / parameters_.mass};
 }
 
-/// Newton's method with a Jacobian by differences. A step that does not reduce the residual is halved: the load has kinks where a finger
-/// slips or touches. At a kink the differences of one side may not lead down: then those of the other are tried.
-Grasp::Attempt Grasp::improve(Attempt now, std::span<const DevicePose> devices, double time_step, const Load& external) const noexcept {
+/// Newton's method with a Jacobian by differences. A step that does not reduce the residual is halved: the load has
+/// kinks where a finger slips or touches. At a kink the differences of one side may not lead down: then those of the
+/// other are tried.
+Grasp::Attempt Grasp::improve(Attempt now, std::span<const DevicePose> devices, double time_step,
+                              const Load& external) const noexcept {
   const auto at = [&](const Vector6& velocities) { return attempt(velocities, devices, time_step, external); };
   // Large compared with the rounding of positions, small compared with the deflection of the springs.
   double change = 1e-9 / time_step;
@@ -267,10 +281,10 @@ Grasp::Attempt Grasp::improve(Attempt now, std::span<const DevicePose> devices, 
   return now;
 }
 
-/// The velocities of an implicit Euler step, from a start or from rest, whichever has the smaller residual; if that does not converge, from
-/// the other.
-Grasp::Attempt Grasp::search(std::span<const DevicePose> devices, double time_step, const Load& external, const Vector6& start,
-                             bool& solved) const noexcept {
+/// The velocities of an implicit Euler step, from a start or from rest, whichever has the smaller residual; if that
+/// does not converge, from the other.
+Grasp::Attempt Grasp::search(std::span<const DevicePose> devices, double time_step, const Load& external,
+                             const Vector6& start, bool& solved) const noexcept {
   Vector6 still = start;
   for (int i = 0; i < 6; ++i) {
     if (parameters_.free[static_cast<std::size_t>(i)]) still[i] = 0.0;
@@ -278,7 +292,8 @@ Grasp::Attempt Grasp::search(std::span<const DevicePose> devices, double time_st
   Attempt first = attempt(start, devices, time_step, external);
   Attempt second = attempt(still, devices, time_step, external);
   if (second.size < first.size) std::swap(first, second);
-  // A turn by more than about half a circle looks like one in the other direction, where a moment that slows it down drives it.
+  // A turn by more than about half a circle looks like one in the other direction, where a moment that slows it down
+  // drives it.
   const auto is_solved = [&](const Attempt& found) {
     return found.size <= solved_fraction * found.unit && found.velocities.tail<3>().norm() * time_step <= largest_turn;
   };
@@ -291,7 +306,8 @@ Grasp::Attempt Grasp::search(std::span<const DevicePose> devices, double time_st
   return best;
 }
 
-/// Marks the fingers that begin to slip at the end of a step: from then on their sliding limit acts. Whether there are new ones.
+/// Marks the fingers that begin to slip at the end of a step: from then on their sliding limit acts. Whether there are
+/// new ones.
 bool Grasp::begin_slips(const Attempt& at, std::span<const DevicePose> devices, double time_step) noexcept {
   const BodyState end = moved(parameters_, state_, at.velocities.head<3>(), at.velocities.tail<3>(), time_step).state;
   bool begins = false;
@@ -307,36 +323,40 @@ bool Grasp::begin_slips(const Attempt& at, std::span<const DevicePose> devices, 
   return begins;
 }
 
-/// The velocities of a step, and which fingers begin to slip in it. Where the sticking limit falls to a sliding one, the force jumps when slip
-/// begins, and the equations may have no root: so solve them with the sticking limit, mark what slips, and solve again, until nothing new
-/// slips. If that fails, the fingers stay as they were.
-Grasp::Attempt Grasp::solve(std::span<const DevicePose> devices, double time_step, const Load& external, bool& solved) noexcept {
+/// The velocities of a step, and which fingers begin to slip in it. Where the sticking limit falls to a sliding one,
+/// the force jumps when slip begins, and the equations may have no root: so solve them with the sticking limit, mark
+/// what slips, and solve again, until nothing new slips. If that fails, the fingers stay as they were.
+Grasp::Attempt Grasp::solve(std::span<const DevicePose> devices, double time_step, const Load& external,
+                            bool& solved) noexcept {
   for (std::size_t i = 0; i < fingers_.size(); ++i) friction_[i] = fingers_[i].state_.friction;
   Vector6 present;
   present << state_.velocity, state_.angular_velocity;
   Attempt best = search(devices, time_step, external, present, solved);
-  while (solved && begin_slips(best, devices, time_step)) best = search(devices, time_step, external, best.velocities, solved);
+  while (solved && begin_slips(best, devices, time_step))
+    best = search(devices, time_step, external, best.velocities, solved);
   for (std::size_t i = 0; i < fingers_.size() && !solved; ++i) fingers_[i].state_.friction = friction_[i];
   return best;
 }
 
-/// The body at the end of a step. What the equations leave goes to the velocities: momentum changes by the impulse of the forces as they are
-/// rendered.
+/// The body at the end of a step. What the equations leave goes to the velocities: momentum changes by the impulse of
+/// the forces as they are rendered.
 BodyState Grasp::end_of(const Attempt& attempt, double time_step) const noexcept {
-  auto [next, momentum] = moved(parameters_, state_, attempt.velocities.head<3>(), attempt.velocities.tail<3>(), time_step);
+  auto [next, momentum] =
+      moved(parameters_, state_, attempt.velocities.head<3>(), attempt.velocities.tail<3>(), time_step);
   momentum -= attempt.error.tail<3>() * parameters_.inertia.mean();
   next.velocity -= attempt.error.head<3>();
   next.angular_velocity += turn_by(parameters_, next.orientation, momentum - angular_momentum(parameters_, next));
   return next;
 }
 
-/// Whether a step may be done in parts: the devices' last poses are known, and no sample is refused. A jump that is refused must not become
-/// a motion.
+/// Whether a step may be done in parts: the devices' last poses are known, and no sample is refused. A jump that is
+/// refused must not become a motion.
 bool Grasp::may_divide(std::span<const DevicePose> devices, double time_step) const noexcept {
   if (std::min(devices.size(), fingers_.size()) != last_count_) return false;
   for (std::size_t i = 0; i < last_count_; ++i) {
     if (fingers_[i].output().state == ContactState::invalid) return false;
-    if (fingers_[i].try_step(surface_, to_body(state_, devices[i]), time_step).output.state == ContactState::invalid) return false;
+    if (fingers_[i].try_step(surface_, to_body(state_, devices[i]), time_step).output.state == ContactState::invalid)
+      return false;
   }
   return true;
 }

@@ -11,7 +11,8 @@ namespace limitcurve::godobject {
 namespace {
 
 void require_positive(std::string_view name, double value, std::string_view unit) {
-  if (!(value > 0.0 && value <= std::numeric_limits<double>::max())) throw out_of_range(name, value, unit, "> 0 and finite");
+  if (!(value > 0.0 && value <= std::numeric_limits<double>::max()))
+    throw out_of_range(name, value, unit, "> 0 and finite");
 }
 
 }  // namespace
@@ -44,13 +45,14 @@ BodyParameters BodyParameters::cylinder(double mass, double radius, double lengt
 BodyParameters BodyParameters::capsule(double mass, double radius, double length) {
   require_positive("mass", mass, "kg");
   require_positive("radius", radius, "m");
-  if (!(length >= 0.0 && length <= std::numeric_limits<double>::max())) throw out_of_range("length", length, "m", ">= 0 and finite");
+  if (!(length >= 0.0 && length <= std::numeric_limits<double>::max()))
+    throw out_of_range("length", length, "m", ">= 0 and finite");
   // A cylinder and two half balls: volumes divided by πr². The centre of mass of a half ball is 3r/8 from its face.
   const double balls = mass * (4.0 / 3.0 * radius) / (4.0 / 3.0 * radius + length);
   const double shaft = mass - balls;
   const double square = radius * radius;
-  const double across =
-      shaft * (square / 4.0 + length * length / 12.0) + balls * (0.4 * square + length * length / 4.0 + 0.375 * length * radius);
+  const double across = shaft * (square / 4.0 + length * length / 12.0) +
+                        balls * (0.4 * square + length * length / 4.0 + 0.375 * length * radius);
   BodyParameters result;
   result.mass = mass;
   result.inertia = {across, across, 0.5 * shaft * square + 0.4 * balls * square};
@@ -93,7 +95,8 @@ Orientation turned(const Orientation& orientation, const Eigen::Vector3d& angula
 }
 
 double kinetic_energy(const BodyParameters& body, const BodyState& state) noexcept {
-  return 0.5 * body.mass * state.velocity.squaredNorm() + 0.5 * state.angular_velocity.dot(angular_momentum(body, state));
+  return 0.5 * body.mass * state.velocity.squaredNorm() +
+         0.5 * state.angular_velocity.dot(angular_momentum(body, state));
 }
 
 double gravity_energy(const BodyParameters& body, const BodyState& state) noexcept {

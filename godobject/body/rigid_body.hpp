@@ -12,17 +12,18 @@ namespace limitcurve::godobject {
 
 /// Mass, inertia, gravity and free motions of a rigid body.
 struct BodyParameters {
-  double mass = 0.1;                                          ///< [kg], 1e-15 to 1e15
-  Eigen::Vector3d inertia = Eigen::Vector3d::Constant(1e-4);  ///< principal moments about the centre of mass [kg m²], 1e-30 to 1e15
-  Eigen::Vector3d gravity = {0.0, 0.0, -9.81};                ///< [m/s²], up to 1e15
-  /// The velocities that are free, in world axes: three of the centre of mass, three of rotation. A body in the x-y plane has {1, 1, 0, 0,
-  /// 0, 1}.
+  double mass = 0.1;  ///< [kg], 1e-15 to 1e15
+  Eigen::Vector3d inertia =
+      Eigen::Vector3d::Constant(1e-4);          ///< principal moments about the centre of mass [kg m²], 1e-30 to 1e15
+  Eigen::Vector3d gravity = {0.0, 0.0, -9.81};  ///< [m/s²], up to 1e15
+  /// The velocities that are free, in world axes: three of the centre of mass, three of rotation. A body in the x-y
+  /// plane has {1, 1, 0, 0, 0, 1}.
   std::array<bool, 6> free = {true, true, true, true, true, true};
 
   /// A block of even density with these edges [m] > 0. Throws std::invalid_argument with the parameter out of range.
   static BodyParameters block(double mass, const Eigen::Vector3d& edges);
-  /// A ball, a cylinder and a capsule of even density; radius [m] > 0. Cylinder and capsule lie along z; the length [m] of the cylinder is
-  /// > 0, that of the capsule, between the centres of its ends, ≥ 0. Throw like `block`.
+  /// A ball, a cylinder and a capsule of even density; radius [m] > 0. Cylinder and capsule lie along z; the length [m]
+  /// of the cylinder is > 0, that of the capsule, between the centres of its ends, ≥ 0. Throw like `block`.
   static BodyParameters ball(double mass, double radius);
   static BodyParameters cylinder(double mass, double radius, double length);
   static BodyParameters capsule(double mass, double radius, double length);
@@ -33,14 +34,16 @@ struct BodyParameters {
   void validate() const;
 };
 
-/// Pose and velocity of a body. The body's frame has its origin at the centre of mass and its axes along the principal axes of inertia.
+/// Pose and velocity of a body. The body's frame has its origin at the centre of mass and its axes along the principal
+/// axes of inertia.
 struct BodyState : BodyPose {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< [m/s]
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< [rad/s], world axes
 };
 
-/// The orientation after a rotation with the angular velocity ω [rad/s] (world axes) for a time [s]: exp(ω t/2) q, of unit length. Sine and
-/// cosine of the half angle are those of the Cayley map, (1 − τ²)/(1 + τ²) with τ = |ω|t/4: the axis is exact, the angle of third order.
+/// The orientation after a rotation with the angular velocity ω [rad/s] (world axes) for a time [s]: exp(ω t/2) q, of
+/// unit length. Sine and cosine of the half angle are those of the Cayley map, (1 − τ²)/(1 + τ²) with τ = |ω|t/4: the
+/// axis is exact, the angle of third order.
 Orientation turned(const Orientation& orientation, const Eigen::Vector3d& angular_velocity, double time) noexcept;
 
 /// The axis of that rotation times the tangent of a quarter of its angle.

@@ -12,7 +12,8 @@
 
 namespace limitcurve::godobject {
 
-/// A number among the parameters of a finger: what the options of the command, Python's keywords, C's structure and the checks are made from.
+/// A number among the parameters of a finger: what the options of the command, Python's keywords, C's structure and the
+/// checks are made from.
 struct ParameterInfo {
   std::string_view name;
   std::variant<double FingerParameters::*, std::optional<double> FingerParameters::*> member;
@@ -31,14 +32,23 @@ inline constexpr std::array finger_parameter_table = std::to_array<ParameterInfo
     {"mu_dynamic", &FingerParameters::mu_dynamic, "1", coefficient, "Friction coefficient while slipping (default mu)"},
     {"mu_r", &FingerParameters::mu_r, "m", coefficient,
      "mu_r [m/N^gamma]: the moment limit is mu_r P^(1+gamma), in place of the radius law's"},
-    {"gamma", &FingerParameters::gamma, "1", {-0.5, 1.0, "a number from -0.5 to 1"}, "gamma of mu_r, from -0.5 to 1", true},
-    {"mu_r_dynamic", &FingerParameters::mu_r_dynamic, "m", coefficient, "mu_r while slipping [m] (default mu_r times mu_dynamic/mu)", true},
+    {"gamma",
+     &FingerParameters::gamma,
+     "1",
+     {-0.5, 1.0, "a number from -0.5 to 1"},
+     "gamma of mu_r, from -0.5 to 1",
+     true},
+    {"mu_r_dynamic", &FingerParameters::mu_r_dynamic, "m", coefficient,
+     "mu_r while slipping [m] (default mu_r times mu_dynamic/mu)", true},
     {"stiffness", &FingerParameters::stiffness, "N/m", spring, "Contact stiffness k_l [N/m]; the load is P = k_l d"},
     {"twist_stiffness", &FingerParameters::twist_stiffness, "N m/rad", spring, "Torsional stiffness k_r [N m/rad]"},
     {"damping", &FingerParameters::damping, "N s/m", coefficient, "b_l of each finger [N s/m]"},
-    {"twist_damping", &FingerParameters::twist_damping, "N m s/rad", coefficient, "b_r of each finger [N m s/rad]", true},
+    {"twist_damping", &FingerParameters::twist_damping, "N m s/rad", coefficient, "b_r of each finger [N m s/rad]",
+     true},
     {"rest_margin", &FingerParameters::rest_margin, "1", coefficient,
-     "A sliding finger comes to rest within the sliding limit divided by 1 + this*(mu/mu_d - 1) [1]; 0: within the sliding limit", true},
+     "A sliding finger comes to rest within the sliding limit divided by 1 + this*(mu/mu_d - 1) [1]; 0: within the "
+     "sliding limit",
+     true},
     {"max_displacement",
      &FingerParameters::max_displacement,
      "m",
@@ -49,7 +59,8 @@ inline constexpr std::array finger_parameter_table = std::to_array<ParameterInfo
      &FingerParameters::fault_decay,
      "1",
      {0.0, 1.0, "a number from 0 to 1"},
-     "Fraction of load, force and moment [1] that an invalid sample keeps from an invalid one before it: 0.99 fades, 1 holds",
+     "Fraction of load, force and moment [1] that an invalid sample keeps from an invalid one before it: 0.99 fades, 1 "
+     "holds",
      true},
 });
 

@@ -24,7 +24,9 @@ struct StepInput {
 
   [[nodiscard]] bool touches() const noexcept { return load ? *load > 0.0 : contact.depth > 0.0; }
   /// As `FingerOutput::depth` shows it [m].
-  [[nodiscard]] double depth() const noexcept { return load ? std::numeric_limits<double>::quiet_NaN() : contact.depth; }
+  [[nodiscard]] double depth() const noexcept {
+    return load ? std::numeric_limits<double>::quiet_NaN() : contact.depth;
+  }
 };
 
 /// Whether a vector or a quaternion is of unit length; a NaN is not.
@@ -33,23 +35,26 @@ template <class Vector>
   return std::fabs(vector.squaredNorm() - 1.0) <= 1e-6;
 }
 
-/// The contact of a device's pose, and its spin. If the pose is none, `fault` names the reason, and the contact is not plausible; the surface is
-/// not called, because it requires a finite position.
-[[nodiscard]] inline StepInput sense(const AnySurface& surface, const DevicePose& device, double time_step, const FingerState& last,
-                                     bool may_begin = true) noexcept {
+/// The contact of a device's pose, and its spin. If the pose is none, `fault` names the reason, and the contact is not
+/// plausible; the surface is not called, because it requires a finite position.
+[[nodiscard]] inline StepInput sense(const AnySurface& surface, const DevicePose& device, double time_step,
+                                     const FingerState& last, bool may_begin = true) noexcept {
   if (!is_plausible<double>(device.position.squaredNorm()) || !is_unit(device.orientation)) {
     const bool is_finite = device.position.allFinite() && device.orientation.coeffs().allFinite();
     const Contact none{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
-    const Fault fault = !is_finite ? Fault::not_finite : is_unit(device.orientation) ? Fault::too_far : Fault::orientation;
+    const Fault fault = !is_finite                    ? Fault::not_finite
+                        : is_unit(device.orientation) ? Fault::too_far
+                                                      : Fault::orientation;
     return {none, device.twist, time_step, last.spin, fault, may_begin};
   }
   const Contact contact = surface.contact(device.position, last.contact);
-  return {contact, device.twist, time_step, last.spin.moved(device.orientation, contact.normal), Fault::none, may_begin};
+  return {contact,     device.twist, time_step, last.spin.moved(device.orientation, contact.normal),
+          Fault::none, may_begin};
 }
 
 /// The same with a contact that other code found, or of which it gives the load.
-[[nodiscard]] inline StepInput sense(const Contact& contact, const Orientation& orientation, double time_step, const FingerState& last,
-                                     std::optional<double> load = {}) noexcept {
+[[nodiscard]] inline StepInput sense(const Contact& contact, const Orientation& orientation, double time_step,
+                                     const FingerState& last, std::optional<double> load = {}) noexcept {
   StepInput input{contact, 0.0, time_step, last.spin, Fault::none, true, load};
   if (is_unit(orientation)) {
     input.spin = last.spin.moved(orientation, contact.normal);
@@ -60,16 +65,16 @@ template <class Vector>
   return input;
 }
 
-/// Checks that what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and within `max_displacement` of the last
-/// good position, or of the last refused one. Returns what is not.
+/// Checks that what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and within
+/// `max_displacement` of the last good position, or of the last refused one. Returns what is not.
 [[nodiscard]] inline Fault accept(FingerFaults& faults, const StepInput& input, const FingerSample& last,
                                   double max_displacement) noexcept {
   const Contact& contact = input.contact;
   const double square = contact.point.squaredNorm() + contact.depth * contact.depth + input.twist * input.twist;
   if (!is_plausible<double>(square) || !is_unit(contact.normal) || !is_time_step(input.time_step)) {
     if (input.fault != Fault::none) return input.fault;
-    const bool is_finite =
-        contact.point.allFinite() && contact.normal.allFinite() && std::isfinite(contact.depth) && std::isfinite(input.twist);
+    const bool is_finite = contact.point.allFinite() && contact.normal.allFinite() && std::isfinite(contact.depth) &&
+                           std::isfinite(input.twist);
     return !is_finite                      ? Fault::not_finite
            : !is_plausible<double>(square) ? Fault::too_far
            : !is_unit(contact.normal)      ? Fault::normal
@@ -88,8 +93,10 @@ template <class Vector>
   return is_there_again ? Fault::none : Fault::displacement;
 }
 
-/// The next good sample. In a contact that continues, the twist is unwrapped; it is the device's bit for bit as long as it does not wrap.
-[[nodiscard]] inline FingerSample take_sample(const FingerSample& last, const StepInput& input, bool continues) noexcept {
+/// The next good sample. In a contact that continues, the twist is unwrapped; it is the device's bit for bit as long as
+/// it does not wrap.
+[[nodiscard]] inline FingerSample take_sample(const FingerSample& last, const StepInput& input,
+                                              bool continues) noexcept {
   constexpr double turn = 2.0 * std::numbers::pi;
   const Contact& contact = input.contact;
   double unwrapped_by = 0.0;
@@ -98,7 +105,8 @@ template <class Vector>
     const double jump = input.twist - last.twist;
     if (std::fabs(jump) > std::numbers::pi) unwrapped_by -= turn * std::round(jump / turn);
   }
-  return {contact.point, contact.normal, contact.depth, input.twist + unwrapped_by + input.spin.angle, input.twist, unwrapped_by};
+  return {contact.point, contact.normal, contact.depth, input.twist + unwrapped_by + input.spin.angle,
+          input.twist,   unwrapped_by};
 }
 
 }  // namespace limitcurve::godobject

@@ -24,10 +24,10 @@ Vector3d turned_about(const Vector3d& tangent, const Vector3d& normal, double an
   return tangent * std::cos(angle) + normal.cross(tangent) * std::sin(angle);
 }
 
-/// The patch's x axis at α_p = 0, so that at α_p it is the tangent part of the finger's x axis, turned by α_p − α_g and the device's twist.
-/// It follows from the present orientation, not from the path: transport along a closed path would turn the patch. A device without an
-/// orientation, or whose x axis is normal to the surface, transports the last axis; a new contact begins with the world's x axis, turned
-/// from z to the normal.
+/// The patch's x axis at α_p = 0, so that at α_p it is the tangent part of the finger's x axis, turned by α_p − α_g and
+/// the device's twist. It follows from the present orientation, not from the path: transport along a closed path would
+/// turn the patch. A device without an orientation, or whose x axis is normal to the surface, transports the last axis;
+/// a new contact begins with the world's x axis, turned from z to the normal.
 Vector3d zero_axis(const Vector3d& n, const Spin& spin, const Vector3d& last) noexcept {
   const auto tangent_part = [&](const Vector3d& axis) { return Vector3d(axis - n * n.dot(axis)); };
   if (spin.started) {
@@ -51,7 +51,8 @@ PatchWrench in_axes(const Vector3d& x, const Vector3d& normal, const Vector3d& f
 PatchProjector projector_of(const Patch& patch, double point_radius) {
   const double least = 1e-3 * patch.moment_ratio();
   if (point_radius == 0.0 && least == 0.0) {
-    throw std::invalid_argument("point_radius = 0 m: all load of the patch is on one point, which has no friction moment; expected > 0");
+    throw std::invalid_argument(
+        "point_radius = 0 m: all load of the patch is on one point, which has no friction moment; expected > 0");
   }
   if (point_radius != 0.0 && !(point_radius >= least && point_radius <= 1e15)) {
     throw out_of_range("point_radius", point_radius, "m", ">= 1e-3 of the patch's m0, " + format_number(least));
@@ -63,8 +64,9 @@ class PatchFinger final : public PatchStep {
  public:
   PatchFinger(const Patch& patch, double point_radius) : projector_(projector_of(patch, point_radius)) {}
 
-  [[nodiscard]] KeptDeflection friction(const ContactLimits& limits, const TrialDeflection& trial, const Vector3d& normal, const Spin& spin,
-                                        double angle, const PatchMemory& last, bool may_begin, FrictionMemory<double>& friction,
+  [[nodiscard]] KeptDeflection friction(const ContactLimits& limits, const TrialDeflection& trial,
+                                        const Vector3d& normal, const Spin& spin, double angle, const PatchMemory& last,
+                                        bool may_begin, FrictionMemory<double>& friction,
                                         PatchMemory& next) const noexcept override;
   [[nodiscard]] double gauge(const FingerState& state) const noexcept override {
     return patch().gauge(in_axes(state.patch.axis, state.output.normal, state.output.force, state.output.moment));
@@ -75,9 +77,9 @@ class PatchFinger final : public PatchStep {
   PatchProjector projector_;
 };
 
-KeptDeflection PatchFinger::friction(const ContactLimits& limits, const TrialDeflection& trial, const Vector3d& normal, const Spin& spin,
-                                     double angle, const PatchMemory& last, bool may_begin, FrictionMemory<double>& friction,
-                                     PatchMemory& next) const noexcept {
+KeptDeflection PatchFinger::friction(const ContactLimits& limits, const TrialDeflection& trial, const Vector3d& normal,
+                                     const Spin& spin, double angle, const PatchMemory& last, bool may_begin,
+                                     FrictionMemory<double>& friction, PatchMemory& next) const noexcept {
   next.zero_axis = zero_axis(normal, spin, last.zero_axis);
   next.axis = turned_about(next.zero_axis, normal, angle);
   const double stiffness = trial.springs.stiffness;
@@ -88,7 +90,8 @@ KeptDeflection PatchFinger::friction(const ContactLimits& limits, const TrialDef
   const auto project = [&](bool slides) -> PatchProjection {
     const double limit = limits.mu(slides) * trial.limit_load;
     const bool has_friction = limit > min_sliding_fraction * limits.mu(false) * trial.limit_load;
-    if (has_friction) return projector_.project(wrench, limit, stiffness, std::sqrt(twist_stiffness / stiffness), last_slip);
+    if (has_friction)
+      return projector_.project(wrench, limit, stiffness, std::sqrt(twist_stiffness / stiffness), last_slip);
     return {true, {}, {wrench.fx / stiffness, wrench.fy / stiffness, trial.twist}};
   };
   const bool was_sliding = friction.force_slides;
@@ -97,9 +100,15 @@ KeptDeflection PatchFinger::friction(const ContactLimits& limits, const TrialDef
   friction.force_slides = keeps_sliding(was_sliding, found.slips, limits.force_stick_fraction(),
                                         [&] { return patch().gauge(wrench) / (limits.mu(true) * trial.limit_load); });
 
-  KeptDeflection kept{
-      trial.tangential,         trial.twist,    found.slips, found.slips, found.slips, 0.0, stiffness * trial.tangential.norm(),
-      std::fabs(wrench.moment), found.converged};
+  KeptDeflection kept{trial.tangential,
+                      trial.twist,
+                      found.slips,
+                      found.slips,
+                      found.slips,
+                      0.0,
+                      stiffness * trial.tangential.norm(),
+                      std::fabs(wrench.moment),
+                      found.converged};
   if (!found.slips) return kept;
   next.slip = {found.slip.vx, found.slip.vy, found.slip.omega};
   kept.tangential = (next.axis * found.wrench.fx + normal.cross(next.axis) * found.wrench.fy) / stiffness;

@@ -93,7 +93,8 @@ Vector2d capped(const Vector2d& step) noexcept {
   return length > longest ? Vector2d(step * (longest / length)) : step;
 }
 
-/// Minimises Ĥ(q)/(ŵ·q), from a q with ŵ·q > 0. Returns the ratio, the inverse of the gauge. Stops when it is below `enough`.
+/// Minimises Ĥ(q)/(ŵ·q), from a q with ŵ·q > 0. Returns the ratio, the inverse of the gauge. Stops when it is below
+/// `enough`.
 double least_ratio(Scaled& friction, const Vector3d& w, Vector3d& q, double enough) noexcept {
   const double size = w.norm();
   const Vector3d direction = w / size;
@@ -106,19 +107,23 @@ double least_ratio(Scaled& friction, const Vector3d& w, Vector3d& q, double enou
     // Differences in the plane; the step is relative to the size of q.
     const double far = q.norm();
     Matrix2d a;
-    a.col(0) = tangents.of(friction(q + step_of_differences * far * tangents.first).wrench - value.wrench) / (step_of_differences * far);
-    a.col(1) = tangents.of(friction(q + step_of_differences * far * tangents.second).wrench - value.wrench) / (step_of_differences * far);
+    a.col(0) = tangents.of(friction(q + step_of_differences * far * tangents.first).wrench - value.wrench) /
+               (step_of_differences * far);
+    a.col(1) = tangents.of(friction(q + step_of_differences * far * tangents.second).wrench - value.wrench) /
+               (step_of_differences * far);
     a(0, 1) = a(1, 0) = 0.5 * (a(0, 1) + a(1, 0));
     Vector2d step = solve(a, 0.0, -slope);
     if (step.norm() > 2.0 * far) step *= 2.0 * far / step.norm();
     bool better = false;
-    for (int halving = 0; halving < most_halvings && friction.evaluations < PatchProjector::most_evaluations / 2; ++halving, step *= 0.5) {
+    for (int halving = 0; halving < most_halvings && friction.evaluations < PatchProjector::most_evaluations / 2;
+         ++halving, step *= 0.5) {
       const Vector3d next = q + tangents.at(step);
       const Scaled::Value there = friction(next);
       // Near the minimum the decrease is below rounding: then require a smaller slope.
       const double fall = value.power - there.power;
       better = fall >= -1e-4 * slope.dot(step) && fall > 1e-14 * value.power;
-      better = better || (std::fabs(fall) <= 1e-11 * value.power && tangents.of(there.wrench).norm() < 0.7 * slope.norm());
+      better =
+          better || (std::fabs(fall) <= 1e-11 * value.power && tangents.of(there.wrench).norm() < 0.7 * slope.norm());
       if (!better) continue;
       q = next;
       value = there;
@@ -129,7 +134,8 @@ double least_ratio(Scaled& friction, const Vector3d& w, Vector3d& q, double enou
   return value.power / size;
 }
 
-/// The point closest to `w` of the hull of up to four points, if `w` is outside it. Keeps the points that bear it, at most three.
+/// The point closest to `w` of the hull of up to four points, if `w` is outside it. Keeps the points that bear it, at
+/// most three.
 Vector3d closest_of_hull(std::array<Vector3d, 4>& points, int& count, const Vector3d& w) noexcept {
   double least = std::numeric_limits<double>::infinity();
   Vector3d closest = points[0];
@@ -146,7 +152,9 @@ Vector3d closest_of_hull(std::array<Vector3d, 4>& points, int& count, const Vect
     const Vector3d e = size > 1 ? Vector3d(of[1] - of[0]) : Vector3d(Vector3d::Zero());
     const Vector3d g = size > 2 ? Vector3d(of[2] - of[0]) : Vector3d(Vector3d::Zero());
     const Vector3d normal = e.cross(g);
-    const double s = size == 2 ? apart.dot(e) / e.squaredNorm() : size == 3 ? apart.cross(g).dot(normal) / normal.squaredNorm() : 0.0;
+    const double s = size == 2   ? apart.dot(e) / e.squaredNorm()
+                     : size == 3 ? apart.cross(g).dot(normal) / normal.squaredNorm()
+                                 : 0.0;
     const double t = size == 3 ? e.cross(apart).dot(normal) / normal.squaredNorm() : 0.0;
     if (!(s >= 0.0 && t >= 0.0 && s + t <= 1.0)) continue;
     const Vector3d at = of[0] + s * e + t * g;
@@ -164,9 +172,9 @@ Vector3d closest_of_hull(std::array<Vector3d, 4>& points, int& count, const Vect
   return closest;
 }
 
-/// The point of the limit surface closest to a `w` outside it, by hulls of points of the surface (Gilbert, Johnson and Keerthi): without
-/// derivatives, so that kinks and flat faces do not matter. The surface's support in a direction is the wrench of that twist. Returns the
-/// distance that may be missing.
+/// The point of the limit surface closest to a `w` outside it, by hulls of points of the surface (Gilbert, Johnson and
+/// Keerthi): without derivatives, so that kinks and flat faces do not matter. The surface's support in a direction is
+/// the wrench of that twist. Returns the distance that may be missing.
 double approach_by_hulls(Scaled& friction, const Vector3d& w, const Vector3d& start, Vector3d& nearest) noexcept {
   constexpr int most_hulls = 100;
   std::array<Vector3d, 4> points{friction(start).wrench};
@@ -190,15 +198,16 @@ double approach_by_hulls(Scaled& friction, const Vector3d& w, const Vector3d& st
 
 PatchProjector::PatchProjector(const Patch& patch) : patch_(patch), spin_(patch_.wrench({0.0, 0.0, 1.0})) {}
 
-PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, double stiffness, double compliance_radius,
-                                        const PatchTwist& warm) const noexcept {
+PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, double stiffness,
+                                        double compliance_radius, const PatchTwist& warm) const noexcept {
   const double m0 = patch_.moment_ratio();
   const auto [mx, my] = patch_.factors();
   PatchProjection result;
   result.wrench = trial;
   // Every limit surface is convex: a trial in the hull of pure slides (an ellipse) and the two pure spins sticks.
   const double spins = trial.moment / spin_.moment;
-  if (std::hypot((trial.fx - spins * spin_.fx) / mx, (trial.fy - spins * spin_.fy) / my) + std::fabs(spins) <= limit) return result;
+  if (std::hypot((trial.fx - spins * spin_.fx) / mx, (trial.fy - spins * spin_.fy) / my) + std::fabs(spins) <= limit)
+    return result;
   const double inside = std::hypot(trial.fx / mx, trial.fy / my, trial.moment / m0);
   // A very small limit counts as 1e-12 of the trial, so that nothing overflows.
   const double safe_limit = std::max(limit, 1e-12 * inside);
@@ -217,8 +226,8 @@ PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, 
     const Scaled::Value value = friction(q);
     return {q, value, w.dot(q) - value.power};
   };
-  // First guess: the best of the ellipsoid's normal (good for a trial near the limit), the trial itself (for one far away) and the last
-  // slip.
+  // First guess: the best of the ellipsoid's normal (good for a trial near the limit), the trial itself (for one far
+  // away) and the last slip.
   Place here = at({w.x() / (mx * mx), w.y() / (my * my), w.z() * kappa * kappa / (m0 * m0)});
   const auto try_too = [&](const Vector3d& direction) {
     if (!(direction.norm() > 0.0)) return;

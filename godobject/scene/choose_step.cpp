@@ -31,7 +31,8 @@ void check(const Scene& scene, double tolerance) {
     if (!(value >= 0.0 && value < 1e12)) throw out_of_range(name, value, unit, "0 <= value < 1e12");
   };
   if (scene.law == nullptr) throw std::invalid_argument("law is not set: expected a pressure law");
-  if (!(tolerance >= 1e-6 && tolerance <= 1.0)) throw out_of_range("tolerance", tolerance, "1", "1e-6 <= tolerance <= 1");
+  if (!(tolerance >= 1e-6 && tolerance <= 1.0))
+    throw out_of_range("tolerance", tolerance, "1", "1e-6 <= tolerance <= 1");
   positive("mu", scene.mu, "1");
   if (scene.mu_r) positive("moment coefficient", *scene.mu_r, "m");
   positive("least load", scene.least_load, "N");
@@ -59,10 +60,11 @@ using Record = std::vector<UnitFriction>;
 /// Steps fingers through a scene's test motion.
 class Drive {
  public:
-  Drive(const Scene& scene, double moment_ratio) : scene_(scene), moment_ratio_(moment_ratio), walk_(walk(scene, moment_ratio)) {}
+  Drive(const Scene& scene, double moment_ratio)
+      : scene_(scene), moment_ratio_(moment_ratio), walk_(walk(scene, moment_ratio)) {}
 
-  /// The friction at the samples of the test motion, with `substeps` steps from one to the next. The load changes in the first of these
-  /// steps.
+  /// The friction at the samples of the test motion, with `substeps` steps from one to the next. The load changes in
+  /// the first of these steps.
   [[nodiscard]] Record operator()(const FingerCurve& curve, Projection projection, const FingerParameters& parameters,
                                   int substeps = 1) const {
     Record record;
@@ -74,7 +76,8 @@ class Drive {
       for (int i = 1; i <= substeps; ++i) {
         const double fraction = static_cast<double>(i) / substeps;
         const Eigen::Vector3d point(std::lerp(from.x, to.x, fraction), std::lerp(from.y, to.y, fraction), 0.0);
-        output = finger.update({point, Eigen::Vector3d::UnitZ(), to.load / scene_.stiffness}, std::lerp(from.twist, to.twist, fraction));
+        output = finger.update({point, Eigen::Vector3d::UnitZ(), to.load / scene_.stiffness},
+                               std::lerp(from.twist, to.twist, fraction));
       }
       const double force = scene_.mu * to.load;
       record.emplace_back(output.force.x() / force, output.force.y() / force,
@@ -96,7 +99,9 @@ Effect difference(const Record& one, const Record& other) {
   std::vector<double> each;
   for (std::size_t i = 0; i < one.size(); ++i) each.push_back((one[i] - other[i]).norm());
   std::sort(each.begin(), each.end());
-  const auto quantile = [&](double fraction) { return each[static_cast<std::size_t>(fraction * static_cast<double>(each.size() - 1))]; };
+  const auto quantile = [&](double fraction) {
+    return each[static_cast<std::size_t>(fraction * static_cast<double>(each.size() - 1))];
+  };
   return {quantile(0.5), quantile(0.99), each.back()};
 }
 
@@ -107,11 +112,13 @@ FingerParameters parameters_of(const Scene& scene) {
   result.mu_r = scene.mu_r;
   result.stiffness = scene.stiffness;
   result.twist_stiffness = scene.twist_stiffness;
-  result.max_displacement = std::numeric_limits<double>::infinity();  // the scene's own scale: a leg may be 5 μP/k_l long
+  result.max_displacement =
+      std::numeric_limits<double>::infinity();  // the scene's own scale: a leg may be 5 μP/k_l long
   return result;
 }
 
-std::vector<std::string> verdict_of(const Effects& effects, const std::vector<Candidate>& candidates, double tolerance) {
+std::vector<std::string> verdict_of(const Effects& effects, const std::vector<Candidate>& candidates,
+                                    double tolerance) {
   const auto is_needed = [&](const Effect& effect) { return error_margin * effect.largest > tolerance; };
   const auto line = [](const char* what, const Effect& effect) {
     return std::string(what) + " " + in_percent(effect.median) + ", " + in_percent(effect.percentile_99) + ", " +
@@ -120,22 +127,27 @@ std::vector<std::string> verdict_of(const Effects& effects, const std::vector<Ca
   const char* const needed = !is_needed(effects.torsion)    ? "no torsion is needed"
                              : !is_needed(effects.coupling) ? "uncoupled will do"
                                                             : "coupling is needed";
-  std::vector<std::string> lines{std::string(needed) + ": decided by " + format_number(error_margin) +
-                                     " times the largest change, because another motion may change more",
-                                 "changes of the wrench in the test motion, in friction limits: median, 99th percentile, largest",
-                                 line("without torsion:", effects.torsion),
-                                 line("without coupling:", effects.coupling),
-                                 line("with the radius of the mean load:", effects.load_radius),
-                                 line("with the ellipse:", effects.curve),
-                                 line("with the radial projection:", effects.projection)};
+  std::vector<std::string> lines{
+      std::string(needed) + ": decided by " + format_number(error_margin) +
+          " times the largest change, because another motion may change more",
+      "changes of the wrench in the test motion, in friction limits: median, 99th percentile, largest",
+      line("without torsion:", effects.torsion),
+      line("without coupling:", effects.coupling),
+      line("with the radius of the mean load:", effects.load_radius),
+      line("with the ellipse:", effects.curve),
+      line("with the radial projection:", effects.projection)};
   if (effects.sampling.largest > tolerance) {
-    lines.push_back("half the sample time would change " + in_percent(effects.sampling.largest) + ": sample faster first");
+    lines.push_back("half the sample time would change " + in_percent(effects.sampling.largest) +
+                    ": sample faster first");
   }
-  const auto chosen = std::find_if(candidates.begin(), candidates.end(), [](const Candidate& one) { return one.chosen; });
-  const auto best = std::min_element(candidates.begin(), candidates.end(),
-                                     [](const Candidate& one, const Candidate& other) { return one.error < other.error; });
-  lines.push_back(chosen != candidates.end() ? "cheapest: " + chosen->model + ", " + in_percent(chosen->error) + " with that factor"
-                                             : "no step is within the tolerance: the best is " + best->model + ", " + best->reason);
+  const auto chosen =
+      std::find_if(candidates.begin(), candidates.end(), [](const Candidate& one) { return one.chosen; });
+  const auto best =
+      std::min_element(candidates.begin(), candidates.end(),
+                       [](const Candidate& one, const Candidate& other) { return one.error < other.error; });
+  lines.push_back(chosen != candidates.end()
+                      ? "cheapest: " + chosen->model + ", " + in_percent(chosen->error) + " with that factor"
+                      : "no step is within the tolerance: the best is " + best->model + ", " + best->reason);
   return lines;
 }
 
@@ -147,8 +159,8 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   const double m0 = exact.moment_ratio();
   const Drive drive(scene, m0);
   const FingerParameters true_finger = parameters_of(scene);
-  // An error ε of f and m is an error of at most ε(1 + 1/m₀) of the limits; the error of a table is its tolerance times max(1, m₀). Count it in
-  // full: the test motion may have missed its maximum.
+  // An error ε of f and m is an error of at most ε(1 + 1/m₀) of the limits; the error of a table is its tolerance times
+  // max(1, m₀). Count it in full: the test motion may have missed its maximum.
   const double per_table_error = 1.0 + 1.0 / m0;
   const double per_table_tolerance = per_table_error * std::max(1.0, m0);
   const Table reference = finest_table(scene.law, std::max(1e-6 * tolerance / per_table_tolerance, 1e-12));
@@ -171,7 +183,8 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   result.effects.projection = effect_of(fine, Projection::radial, true_finger);
   // The error of a step is proportional to its length.
   result.effects.sampling = difference(drive(fine, Projection::closest_point, true_finger, 2), truth);
-  for (double* change : {&result.effects.sampling.median, &result.effects.sampling.percentile_99, &result.effects.sampling.largest}) {
+  for (double* change :
+       {&result.effects.sampling.median, &result.effects.sampling.percentile_99, &result.effects.sampling.largest}) {
     *change *= drive.finest_step();
   }
 
@@ -179,16 +192,19 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   constexpr double load_radius_cost = 20.0;
   const bool radius_varies = !scene.mu_r && scene.radius_law.depends_on_load();
   // Each ten times as fine as the one before.
-  std::vector<Table> tables{
-      finest_table(scene.law, std::clamp(0.1 * tolerance / per_table_tolerance, Table::finest_tolerance, Table::coarsest_tolerance))};
+  std::vector<Table> tables{finest_table(scene.law, std::clamp(0.1 * tolerance / per_table_tolerance,
+                                                               Table::finest_tolerance, Table::coarsest_tolerance))};
   auto& candidates = result.candidates;
   std::map<std::string, ReplayOptions> steps;
-  const auto error_of = [&](const FingerCurve& curve, double of_table, Projection projection, const FingerParameters& finger) {
-    return error_margin * effect_of(curve, projection, finger).largest + per_table_error * (reference.checked_error() + of_table);
+  const auto error_of = [&](const FingerCurve& curve, double of_table, Projection projection,
+                            const FingerParameters& finger) {
+    return error_margin * effect_of(curve, projection, finger).largest +
+           per_table_error * (reference.checked_error() + of_table);
   };
-  /// The coarsest table whose error fits, because all cost the same; the first if the error is not the table's. None is so fine that the
-  /// reference's own error counts beside its.
-  const auto sufficient_table = [&](Projection projection, const FingerParameters& finger, double& error) -> const Table& {
+  /// The coarsest table whose error fits, because all cost the same; the first if the error is not the table's. None is
+  /// so fine that the reference's own error counts beside its.
+  const auto sufficient_table = [&](Projection projection, const FingerParameters& finger,
+                                    double& error) -> const Table& {
     for (std::size_t i = 0;; ++i) {
       error = error_of(tables[i], tables[i].checked_error(), projection, finger);
       if (error <= tolerance || tables[i].tolerance() < 100.0 * reference.tolerance()) return tables[i];
@@ -196,7 +212,8 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
       if (i + 1 == tables.size()) tables.push_back(finest_table(scene.law, 0.1 * tables[i].tolerance()));
     }
   };
-  const auto add = [&](const std::string& model, CurveKind kind, Projection projection, const FingerParameters& finger, double cost) {
+  const auto add = [&](const std::string& model, CurveKind kind, Projection projection, const FingerParameters& finger,
+                       double cost) {
     Candidate candidate{model, 1.0, 0.0, cost};
     switch (kind) {
       case CurveKind::box:
@@ -209,7 +226,8 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
       default:
         candidate.parameter = sufficient_table(projection, finger, candidate.error).tolerance();
     }
-    steps[model] = {.law = scene.law, .curve = kind, .projection = projection, .tolerance = candidate.parameter, .finger = finger};
+    steps[model] = {
+        .law = scene.law, .curve = kind, .projection = projection, .tolerance = candidate.parameter, .finger = finger};
     candidates.push_back(candidate);
   };
   // A clamp of the force alone is cheaper than the other candidates.

@@ -20,8 +20,8 @@ constexpr double thickness = 0.04;
 GrippedBlock::GrippedBlock(const PivotOptions& options, const SoftFinger& finger)
     : edges_(options.length, options.height, thickness),
       offset_(options.offset),
-      grasp_(BodyParameters::planar_block(options.mass, edges_, options.gravity), BodyState{}, AnySurface(BoxSurface(0.5 * edges_)),
-             {finger, finger}) {}
+      grasp_(BodyParameters::planar_block(options.mass, edges_, options.gravity), BodyState{},
+             AnySurface(BoxSurface(0.5 * edges_)), {finger, finger}) {}
 
 void GrippedBlock::take(double load) noexcept {
   const double weight = -grasp_.parameters().mass * grasp_.parameters().gravity.y();

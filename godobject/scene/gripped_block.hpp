@@ -8,13 +8,16 @@
 
 namespace limitcurve::godobject {
 
-/// The block of the paper's experiment (PivotOptions) between two opposite fingers, which stay at the origin while their load changes.
+/// The block of the paper's experiment (PivotOptions) between two opposite fingers, which stay at the origin while
+/// their load changes.
 class GrippedBlock {
  public:
-  /// Uses length, height, mass, offset and gravity of the options. Both fingers are copies of `finger`. Throws like Grasp.
+  /// Uses length, height, mass, offset and gravity of the options. Both fingers are copies of `finger`. Throws like
+  /// Grasp.
   GrippedBlock(const PivotOptions& options, const SoftFinger& finger);
 
-  /// Begins level and at rest, under a load of each finger [N]: the springs just carry the block's weight. Call it once.
+  /// Begins level and at rest, under a load of each finger [N]: the springs just carry the block's weight. Call it
+  /// once.
   void take(double load) noexcept;
   /// One time step [s] under a load of each finger [N].
   void step(double load, double time_step) noexcept;

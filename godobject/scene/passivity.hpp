@@ -5,26 +5,28 @@
 
 namespace limitcurve::godobject {
 
-// Passivity of a finger's gains at a sample time; offline. A sampled spring holds its force half a sample too long, and so adds energy at
-// every stiffness. The device must dissipate it.
+// Passivity of a finger's gains at a sample time; offline. A sampled spring holds its force half a sample too long, and
+// so adds energy at every stiffness. The device must dissipate it.
 
-/// The smallest damping of the device itself (without friction and inertia) that makes a sampled linear spring k and damper b passive in
-/// any hand. Most devices are a sample late. For a force N samples late it is the sup over θ of ½kT sin((N + ½)θ)/sin(θ/2) −
-/// b cos((N + 1)θ), at most (N + ½)kT + |b|, and kT/2 + |b| without delay (Colgate and Schenkel, J. Robotic Systems 14:37–47, 1997; the
-/// damper uses a backward difference, as here). One channel: N/m and N s/m, or N m/rad and N m s/rad; T [s] > 0, 0 ≤ N ≤ `most_delay`
-/// samples.
+/// The smallest damping of the device itself (without friction and inertia) that makes a sampled linear spring k and
+/// damper b passive in any hand. Most devices are a sample late. For a force N samples late it is the sup over θ of ½kT
+/// sin((N + ½)θ)/sin(θ/2) − b cos((N + 1)θ), at most (N + ½)kT + |b|, and kT/2 + |b| without delay (Colgate and
+/// Schenkel, J. Robotic Systems 14:37–47, 1997; the damper uses a backward difference, as here). One channel: N/m and N
+/// s/m, or N m/rad and N m s/rad; T [s] > 0, 0 ≤ N ≤ `most_delay` samples.
 ///
-/// With friction and on curved surfaces it is searched, not proved, for translation and for twist about the normal, also with a delay: no
-/// path gained more (energy_search_test). If the device also rotates while the normal turns, it gains at most |M| |Δn| |Δφ|/2 more in a
-/// sample, because a held moment keeps its direction.
-[[nodiscard]] double device_damping_needed(double stiffness, double damping, double sample_time, int delay = 0) noexcept;
+/// With friction and on curved surfaces it is searched, not proved, for translation and for twist about the normal,
+/// also with a delay: no path gained more (energy_search_test). If the device also rotates while the normal turns, it
+/// gains at most |M| |Δn| |Δφ|/2 more in a sample, because a held moment keeps its direction.
+[[nodiscard]] double device_damping_needed(double stiffness, double damping, double sample_time,
+                                           int delay = 0) noexcept;
 
 /// The longest delay that is checked [samples].
 inline constexpr int most_delay = 1000;
 
-/// Stability number of n fingers with spring k and damper b on a body of mass m (or k_r, b_r and the moment of inertia) under explicit
-/// steps (symplectic Euler): n(kT²/m + 2bT/m)/4. Stable if it is below 1: then the characteristic polynomial z² − (2 − β − κ)z + 1 − β, κ =
-/// nkT²/m, β = nbT/m, has its roots within the unit circle. Implicit steps have no such limit. All arguments > 0, the damping ≥ 0.
+/// Stability number of n fingers with spring k and damper b on a body of mass m (or k_r, b_r and the moment of inertia)
+/// under explicit steps (symplectic Euler): n(kT²/m + 2bT/m)/4. Stable if it is below 1: then the characteristic
+/// polynomial z² − (2 − β − κ)z + 1 − β, κ = nkT²/m, β = nbT/m, has its roots within the unit circle. Implicit steps
+/// have no such limit. All arguments > 0, the damping ≥ 0.
 [[nodiscard]] constexpr double explicit_coupling(double stiffness, double damping, double mass, double sample_time,
                                                  int fingers = 1) noexcept {
   return 0.25 * fingers * sample_time / mass * (stiffness * sample_time + 2.0 * damping);
@@ -36,13 +38,13 @@ struct DeviceDamping {
   double twist;    ///< [N m s/rad]
 };
 
-/// The damping that a finger's springs and dampers need at a sample time [s] > 0 with a delay in samples. Throws std::invalid_argument for a
-/// parameter out of range.
+/// The damping that a finger's springs and dampers need at a sample time [s] > 0 with a delay in samples. Throws
+/// std::invalid_argument for a parameter out of range.
 [[nodiscard]] DeviceDamping device_damping_needed(const FingerParameters& finger, double sample_time, int delay = 0);
 
-/// Throws std::invalid_argument, with the missing damping and what to change, unless a device with this damping is passive with these gains
-/// at this sample time [s] > 0 and delay [samples]. The bound holds for any user; a hand that damps allows higher gains. An infinite damping
-/// leaves a channel unchecked.
+/// Throws std::invalid_argument, with the missing damping and what to change, unless a device with this damping is
+/// passive with these gains at this sample time [s] > 0 and delay [samples]. The bound holds for any user; a hand that
+/// damps allows higher gains. An infinite damping leaves a channel unchecked.
 void require_passive(const FingerParameters& finger, double sample_time, const DeviceDamping& device, int delay = 0);
 
 }  // namespace limitcurve::godobject

@@ -30,14 +30,17 @@ void validate(const PivotOptions& options) {
   within("height", options.height, "m", false);
   within("mass", options.mass, "kg", false);
   within("gravity", options.gravity, "m/s^2", true);
-  if (!(options.time_step > 0.0 && options.time_step <= 1.0)) throw out_of_range("time_step", options.time_step, "s", "> 0, up to 1");
+  if (!(options.time_step > 0.0 && options.time_step <= 1.0))
+    throw out_of_range("time_step", options.time_step, "s", "> 0, up to 1");
   within("duration", options.duration, "s", true);
-  if (options.duration / options.time_step > 1e9) throw out_of_range("time_step", options.time_step, "s", ">= duration/1e9");
+  if (options.duration / options.time_step > 1e9)
+    throw out_of_range("time_step", options.time_step, "s", ">= duration/1e9");
   if (!(options.offset >= 0.0 && options.offset < 0.5 * options.length)) {
     throw out_of_range("offset", options.offset, "m", "0 <= offset < length/2");
   }
   if (options.grip_operator) {
-    if (!options.grip.empty()) throw std::invalid_argument("grip: both a grip and an operator are given, expected one of them");
+    if (!options.grip.empty())
+      throw std::invalid_argument("grip: both a grip and an operator are given, expected one of them");
     within("target", options.grip_operator->target, "rad", false);
     within("start_load", options.grip_operator->start_load.value_or(1.0), "N", false);
     within("rate", options.grip_operator->rate.value_or(1.0), "N/s", false);
@@ -47,7 +50,8 @@ void validate(const PivotOptions& options) {
   double last = -std::numeric_limits<double>::infinity();
   for (const GripSample& sample : options.grip) {
     within("load", sample.load, "N", true);
-    if (!(sample.time > last && sample.time <= 1e9)) throw out_of_range("time of a grip sample", sample.time, "s", "finite and increasing");
+    if (!(sample.time > last && sample.time <= 1e9))
+      throw out_of_range("time of a grip sample", sample.time, "s", "finite and increasing");
     last = sample.time;
   }
 }
@@ -66,7 +70,8 @@ CurveKind curve_kind(const PivotOptions& options) noexcept {
 }
 
 Projection projection_of(const PivotOptions& options) noexcept {
-  return options.projection.value_or(options.kind == PivotCase::coupled ? Projection::radial : Projection::closest_point);
+  return options.projection.value_or(options.kind == PivotCase::coupled ? Projection::radial
+                                                                        : Projection::closest_point);
 }
 
 FingerCurve make_curve(const PivotOptions& options, CurveKind kind) {
@@ -88,7 +93,8 @@ FingerParameters friction_parameters(const PivotOptions& options) {
 double load_to_hold(const PivotOptions& options, const FingerCurve& curve) {
   if (!(options.mu > 0.0)) return std::numeric_limits<double>::infinity();
   const double fraction = 0.5 * options.mass * options.gravity;
-  return ContactLimits(friction_parameters(options), curve.moment_max()).load_to_hold(curve, fraction, fraction * options.offset);
+  return ContactLimits(friction_parameters(options), curve.moment_max())
+      .load_to_hold(curve, fraction, fraction * options.offset);
 }
 
 /// μ_r/μ_l [m]: the given one, or m₀ a at the load that holds the block.
@@ -107,23 +113,26 @@ FingerParameters finger_parameters(const PivotOptions& options, const FingerCurv
     const double arm = moment_arm(options, curve);
     if (!(arm > 0.0)) {
       throw std::invalid_argument(
-          "twist_stiffness: absent, expected a value if mu, the moment coefficient or the load that holds the block is 0");
+          "twist_stiffness: absent, expected a value if mu, the moment coefficient or the load that holds the block is "
+          "0");
     }
     result.twist_stiffness = options.stiffness * arm * arm;
   }
-  result.max_displacement = std::numeric_limits<double>::infinity();  // the fingers are as deep as load and stiffness make them
+  result.max_displacement =
+      std::numeric_limits<double>::infinity();  // the fingers are as deep as load and stiffness make them
   result.damping = options.damping;
   result.twist_damping = options.twist_damping.value_or(options.damping * result.twist_stiffness / result.stiffness);
   return result;
 }
 
-/// Throws unless the block stays in the grip at the start: its weight must deflect the springs by less than half its height, and less than
-/// half a turn, and the loads must not press the fingers beyond what is a position.
+/// Throws unless the block stays in the grip at the start: its weight must deflect the springs by less than half its
+/// height, and less than half a turn, and the loads must not press the fingers beyond what is a position.
 void require_hold(const PivotOptions& options, const FingerParameters& finger) {
   const double fraction = 0.5 * options.mass * options.gravity;
   if (const double least = 2.0 * fraction / options.height; !(finger.stiffness > least)) {
-    throw out_of_range("stiffness", finger.stiffness, "N/m",
-                       "> " + format_number(least) + ", so that the block's weight lowers it by less than half its height");
+    throw out_of_range(
+        "stiffness", finger.stiffness, "N/m",
+        "> " + format_number(least) + ", so that the block's weight lowers it by less than half its height");
   }
   if (const double least = fraction * options.offset / std::numbers::pi; !(finger.twist_stiffness > least)) {
     throw out_of_range("twist_stiffness", finger.twist_stiffness, "N m/rad",
@@ -133,9 +142,9 @@ void require_hold(const PivotOptions& options, const FingerParameters& finger) {
   for (const GripSample& sample : options.grip) load = std::max(load, sample.load);
   if (load == 0.0) load = 2.0 * default_load(options);
   if (const double least = 2.0 * load / farthest; !(finger.stiffness > least)) {
-    throw out_of_range(
-        "stiffness", finger.stiffness, "N/m",
-        "> " + format_number(least) + ", so that a load of " + format_number(load) + " N presses a finger in by less than 5e5 m");
+    throw out_of_range("stiffness", finger.stiffness, "N/m",
+                       "> " + format_number(least) + ", so that a load of " + format_number(load) +
+                           " N presses a finger in by less than 5e5 m");
   }
 }
 

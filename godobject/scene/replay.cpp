@@ -12,8 +12,8 @@ namespace limitcurve::godobject {
 
 namespace {
 
-/// Transforms the output of a finger from the body's frame to the world. After an invalid sample the held wrench and its normal turn with
-/// the body; the position is the last good one.
+/// Transforms the output of a finger from the body's frame to the world. After an invalid sample the held wrench and
+/// its normal turn with the body; the position is the last good one.
 void describe(SceneContact& contact, const SoftFinger& finger, const BodyState& body) noexcept {
   const FingerOutput output = to_world(body, finger.output());
   contact.state = output.state;
@@ -38,7 +38,8 @@ void describe(SceneContact& contact, const SoftFinger& finger, const BodyState& 
 SoftFinger make_finger(const ReplayOptions& options, double& curve_error) {
   if (!options.law && !options.patch) throw std::invalid_argument("law: none given, expected a pressure law");
   if (!(options.fingers >= 1 && options.fingers <= Replay::most_fingers)) {
-    throw std::invalid_argument("fingers = " + std::to_string(options.fingers) + ": expected 1 to " + std::to_string(Replay::most_fingers));
+    throw std::invalid_argument("fingers = " + std::to_string(options.fingers) + ": expected 1 to " +
+                                std::to_string(Replay::most_fingers));
   }
   options.body.validate();
   if (options.patch) return {*options.patch, options.finger, options.point_radius};
@@ -55,7 +56,8 @@ SoftFinger make_finger(const ReplayOptions& options, double& curve_error) {
 }  // namespace
 
 Replay::Replay(const ReplayOptions& options)
-    : grasp_(options.body, BodyState{}, options.surface, std::vector<SoftFinger>(options.fingers, make_finger(options, curve_error_))),
+    : grasp_(options.body, BodyState{}, options.surface,
+             std::vector<SoftFinger>(options.fingers, make_finger(options, curve_error_))),
       contacts_(options.fingers),
       motion_(options.motion) {}
 

@@ -24,21 +24,24 @@ enum class BodyMotion {
 
 /// The state of one finger of a scene; points and vectors in the world.
 struct SceneContact {
-  ContactState state = ContactState::free;                ///< invalid: the wrench fades as in `FingerOutput`, cor is NaN, places are held
-  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger's position
-  double angle = 0.0;                                     ///< α_p [rad], relative to the body
-  double depth = 0.0;                                     ///< d [m]
-  double load = 0.0;                                      ///< P [N]; the force on the user is P times the normal, plus friction
+  ContactState state =
+      ContactState::free;  ///< invalid: the wrench fades as in `FingerOutput`, cor is NaN, places are held
+  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();  ///< x_p [m]; while free, the finger's position
+  double angle = 0.0;                               ///< α_p [rad], relative to the body
+  double depth = 0.0;                               ///< d [m]
+  double load = 0.0;  ///< P [N]; the force on the user is P times the normal, plus friction
   Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential
   double moment = 0.0;                                    ///< friction moment on the user about the normal [N m]
-  double cor = std::numeric_limits<double>::quiet_NaN();  ///< distance of the slip's COR from the contact centre [m]; NaN without slip
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();       ///< outward, of the surface at the contact; 0 before the first contact query
-  double margin = 1.0;                                    ///< margin to slip, as a fraction: `SoftFinger::margin`
-  double load_to_hold = 0.0;                              ///< smallest load that holds the friction [N]: `SoftFinger::load_to_hold`
-  Eigen::Vector3d centre_of_rotation =
-      Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());  ///< of the slip [m]; inf for pure sliding, NaN without slip
-  double dissipated = 0.0;                                                  ///< energy of this finger's slip since the beginning [J]
-  Fault fault = Fault::none;                                                ///< the reason for `invalid`
+  double cor = std::numeric_limits<double>::quiet_NaN();  ///< distance of the slip's COR from the contact centre [m];
+                                                          ///< NaN without slip
+  Eigen::Vector3d normal =
+      Eigen::Vector3d::Zero();  ///< outward, of the surface at the contact; 0 before the first contact query
+  double margin = 1.0;          ///< margin to slip, as a fraction: `SoftFinger::margin`
+  double load_to_hold = 0.0;    ///< smallest load that holds the friction [N]: `SoftFinger::load_to_hold`
+  Eigen::Vector3d centre_of_rotation = Eigen::Vector3d::Constant(
+      std::numeric_limits<double>::quiet_NaN());  ///< of the slip [m]; inf for pure sliding, NaN without slip
+  double dissipated = 0.0;                        ///< energy of this finger's slip since the beginning [J]
+  Fault fault = Fault::none;                      ///< the reason for `invalid`
 };
 
 /// The options of a replay. `Replay` checks them.
@@ -46,17 +49,18 @@ struct ReplayOptions {
   Law law = {};                        ///< pressure law; this or a patch must be set
   CurveKind curve = CurveKind::table;  ///< of the law
   Projection projection = Projection::closest_point;
-  double tolerance = Table::default_tolerance;      ///< of the table, in unit wrenches; used by `CurveKind::table` only
-  std::optional<Patch> patch = {};                  ///< instead of law, curve, projection and tolerance: the contact is not round
-  double point_radius = 0.0;                        ///< of a patch: as in SoftFinger
-  FingerParameters finger = {};                     ///< of every finger
+  double tolerance = Table::default_tolerance;  ///< of the table, in unit wrenches; used by `CurveKind::table` only
+  std::optional<Patch> patch = {};  ///< instead of law, curve, projection and tolerance: the contact is not round
+  double point_radius = 0.0;        ///< of a patch: as in SoftFinger
+  FingerParameters finger = {};     ///< of every finger
   AnySurface surface = AnySurface(PlaneSurface{});  ///< of the body, in its frame
   std::size_t fingers = 1;                          ///< 1 to `Replay::most_fingers`
   BodyMotion motion = BodyMotion::fixed;
   BodyParameters body = {};  ///< of a free body
 };
 
-/// Steps the god-object through a recorded motion of one or several fingers, on a surface that is fixed, prescribed or free.
+/// Steps the god-object through a recorded motion of one or several fingers, on a surface that is fixed, prescribed or
+/// free.
 class Replay {
  public:
   static constexpr std::size_t most_fingers = 16;
@@ -66,9 +70,10 @@ class Replay {
   /// Throws `std::invalid_argument` with the parameter, its value, unit and range. Builds the table of the curve.
   explicit Replay(const ReplayOptions& options);
 
-  /// Steps to the next sample: time [s], a pose for each finger (a missing one counts as far away), and the pose of the body, used if its
-  /// motion is prescribed. If the time is not finite or earlier than the last, or the body's pose is not valid, all fingers are `invalid`
-  /// and nothing moves. If a finger's pose is not finite, that finger is `invalid`. `SceneContact::fault` names the reason.
+  /// Steps to the next sample: time [s], a pose for each finger (a missing one counts as far away), and the pose of the
+  /// body, used if its motion is prescribed. If the time is not finite or earlier than the last, or the body's pose is
+  /// not valid, all fingers are `invalid` and nothing moves. If a finger's pose is not finite, that finger is
+  /// `invalid`. `SceneContact::fault` names the reason.
   void step(double time, std::span<const DevicePose> fingers, const BodyPose& body = {}) noexcept;
 
   /// The current state of each finger.
@@ -78,8 +83,8 @@ class Replay {
   void body() const&& = delete;
   /// Number of steps of a free body whose equations were not solved: `Grasp::unsolved`.
   [[nodiscard]] std::size_t unsolved() const noexcept { return grasp_.unsolved(); }
-  /// Error of the fingers' curve against the one of its kind [unit wrenches]: checked_error + profile_error of its table, 0 for a closed
-  /// form.
+  /// Error of the fingers' curve against the one of its kind [unit wrenches]: checked_error + profile_error of its
+  /// table, 0 for a closed form.
   [[nodiscard]] double curve_error() const noexcept { return curve_error_; }
 
  private:

@@ -13,7 +13,8 @@ namespace limitcurve::godobject {
 namespace {
 
 constexpr int legs = 1000;
-// Steps in the shorter of the two distances that load the springs to the limit, and in a leg. Twice as many give the same errors.
+// Steps in the shorter of the two distances that load the springs to the limit, and in a leg. Twice as many give the
+// same errors.
 constexpr double resolution = 32.0;
 constexpr double most_steps = 512.0;
 // A finger would take a step of more than half a turn for one in the other direction [rad].
@@ -42,7 +43,8 @@ Reach reach(const Scene& scene, double moment_ratio, double load) {
   const double moment = largest_moment(scene, moment_ratio, load);
   constexpr double hertz_moment_ratio = 3.0 * std::numbers::pi / 16.0;
   const double radius = moment / (hertz_moment_ratio * scene.mu * load);
-  const auto [shorter, longer] = std::minmax({scene.mu * load / scene.stiffness, radius * (moment / scene.twist_stiffness)});
+  const auto [shorter, longer] =
+      std::minmax({scene.mu * load / scene.stiffness, radius * (moment / scene.twist_stiffness)});
   return {radius, shorter, longer};
 }
 
@@ -57,7 +59,9 @@ LoadChange change_load(RandomNumbers& random, const Scene& scene, double load) {
   const int kind = random.one_of(8);
   if (kind < 3) return {load, false, false};
   const int place = random.one_of(5);
-  const double to = place < 2 ? scene.least_load : place < 4 ? scene.most_load : random.between(scene.least_load, scene.most_load);
+  const double to = place < 2   ? scene.least_load
+                    : place < 4 ? scene.most_load
+                                : random.between(scene.least_load, scene.most_load);
   return {to, kind >= 6, kind == 5};
 }
 
@@ -86,7 +90,8 @@ SceneWalk walk(const Scene& scene, double moment_ratio) {
   double direction = 0.0;
   for (int leg = 0; leg < legs; ++leg) {
     const LoadChange change = change_load(random, scene, at.load);
-    const auto [radius, shorter, longer] = reach(scene, moment_ratio, change.at_once ? change.load : std::max(at.load, change.load));
+    const auto [radius, shorter, longer] =
+        reach(scene, moment_ratio, change.at_once ? change.load : std::max(at.load, change.load));
 
     // Length, and its parts in slide and twist.
     const double length = random.one_of(2) == 0 ? 5.0 * longer : random.of_any_size(0.1 * shorter, 3.0 * longer);
@@ -112,7 +117,8 @@ SceneWalk walk(const Scene& scene, double moment_ratio) {
     if (slide > 0.0) time = std::max(time, slide / (pace * scene.slide_speed));
     if (twist != 0.0) time = std::max(time, std::fabs(twist) / (pace * scene.twist_rate));
     const double samples = std::max(std::ceil(time / scene.sample_time), 1.0);
-    const double enough = std::max(resolution * std::hypot(slide, radius * twist) / shorter, std::fabs(twist) / largest_twist_step);
+    const double enough =
+        std::max(resolution * std::hypot(slide, radius * twist) / shorter, std::fabs(twist) / largest_twist_step);
     double steps = std::min({samples, std::ceil(enough), most_steps});
     steps = std::max(steps, change.by_itself ? resolution : 1.0);
     if (time > 0.0) result.finest_step = std::max(result.finest_step, steps / samples);

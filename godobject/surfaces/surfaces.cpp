@@ -19,11 +19,15 @@ double positive(std::string_view name, double value) {
 constexpr double nothing = 1e-150;
 
 /// The contact with a sphere about `centre`; if the finger is at the centre, `side` is the normal.
-Contact on_ball(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& finger, const Eigen::Vector3d& side) noexcept {
+Contact on_ball(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& finger,
+                const Eigen::Vector3d& side) noexcept {
   const Eigen::Vector3d away = finger - centre;
   const double distance = away.norm();
   const Eigen::Vector3d normal = distance > nothing ? Eigen::Vector3d(away / distance) : side;
-  return {centre + normal * radius, normal, radius - distance, {distance < radius ? 0 : -1, numbers(centre + normal), true}};
+  return {centre + normal * radius,
+          normal,
+          radius - distance,
+          {distance < radius ? 0 : -1, numbers(centre + normal), true}};
 }
 
 /// The unit vector along `way`, or along `otherwise` if it has no length.
@@ -46,24 +50,30 @@ Contact SphereSurface::contact(const Eigen::Vector3d& finger, const ContactMemor
   return on_ball(Eigen::Vector3d::Zero(), radius_, finger, direction(vector(memory.finger), Eigen::Vector3d::UnitZ()));
 }
 
-CapsuleSurface::CapsuleSurface(double radius, double half_length) : radius_(positive("radius", radius)), half_length_(half_length) {
-  if (!(half_length >= 0.0 && half_length <= 1e6)) throw out_of_range("half_length", half_length, "m", ">= 0, up to 1e6");
+CapsuleSurface::CapsuleSurface(double radius, double half_length)
+    : radius_(positive("radius", radius)), half_length_(half_length) {
+  if (!(half_length >= 0.0 && half_length <= 1e6))
+    throw out_of_range("half_length", half_length, "m", ">= 0, up to 1e6");
 }
 
 Contact CapsuleSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept {
-  const auto nearest_on_axis = [this](double z) { return Eigen::Vector3d(0.0, 0.0, std::clamp(z, -half_length_, half_length_)); };
+  const auto nearest_on_axis = [this](double z) {
+    return Eigen::Vector3d(0.0, 0.0, std::clamp(z, -half_length_, half_length_));
+  };
   const Eigen::Vector3d last = vector(memory.finger);
   const bool is_end = std::fabs(finger.z()) >= half_length_;
   // On the axis the finger keeps its side; between the ends that is across the axis.
-  const Eigen::Vector3d side = is_end ? direction(last - nearest_on_axis(last.z()), {0.0, 0.0, std::copysign(1.0, finger.z())})
-                                      : direction(radial_part(last), Eigen::Vector3d::UnitX());
+  const Eigen::Vector3d side =
+      is_end ? direction(last - nearest_on_axis(last.z()), {0.0, 0.0, std::copysign(1.0, finger.z())})
+             : direction(radial_part(last), Eigen::Vector3d::UnitX());
   return on_ball(nearest_on_axis(finger.z()), radius_, finger, side);
 }
 
 CylinderSurface::CylinderSurface(double radius, double half_length)
     : radius_(positive("radius", radius)), half_length_(positive("half_length", half_length)) {}
 
-/// The face through which the segment enters the cylinder: 0 the side, 1 the upper end, 2 the lower; −1 if it does not enter.
+/// The face through which the segment enters the cylinder: 0 the side, 1 the upper end, 2 the lower; −1 if it does not
+/// enter.
 int CylinderSurface::entered(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const noexcept {
   int face = -1;
   double enter = 0.0;  // as fractions of the segment
@@ -118,7 +128,8 @@ Contact CylinderSurface::contact(const Eigen::Vector3d& finger, const ContactMem
     // It left through another face: the finger has passed the rim.
     if (face >= 0 && !is_beneath(face)) face = -1;
   }
-  if (face < 0 && beyond_side < 0.0 && beyond_end < 0.0) face = beyond_side > beyond_end ? 0 : finger.z() >= 0.0 ? 1 : 2;
+  if (face < 0 && beyond_side < 0.0 && beyond_end < 0.0)
+    face = beyond_side > beyond_end ? 0 : finger.z() >= 0.0 ? 1 : 2;
   ContactMemory next{face, numbers(finger), true};
   if (face == 0) {
     if (!(distance > nothing)) next.finger = numbers(radial + Eigen::Vector3d(0.0, 0.0, finger.z()));
@@ -129,7 +140,8 @@ Contact CylinderSurface::contact(const Eigen::Vector3d& finger, const ContactMem
     return {{finger.x(), finger.y(), side * half_length_}, {0.0, 0.0, side}, half_length_ - side * finger.z(), next};
   }
   // Outside: the nearest point, with the normal from it to the finger.
-  const Eigen::Vector3d nearest = radial * std::min(distance, radius_) + axial * std::min(std::fabs(finger.z()), half_length_);
+  const Eigen::Vector3d nearest =
+      radial * std::min(distance, radius_) + axial * std::min(std::fabs(finger.z()), half_length_);
   const Eigen::Vector3d way = finger - nearest;
   return {nearest, direction(way, beyond_side >= beyond_end ? radial : axial), -way.norm(), next};
 }

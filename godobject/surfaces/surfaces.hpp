@@ -5,8 +5,9 @@
 
 namespace limitcurve::godobject {
 
-/// A sphere about the origin. It does not remember where a finger entered: one pressed past the centre comes out on the far side, and one
-/// that crosses the sphere in one step does not touch it. At the centre a finger keeps the normal of the last step.
+/// A sphere about the origin. It does not remember where a finger entered: one pressed past the centre comes out on the
+/// far side, and one that crosses the sphere in one step does not touch it. At the centre a finger keeps the normal of
+/// the last step.
 class SphereSurface {
  public:
   explicit SphereSurface(double radius);  ///< [m] > 0, ≤ 1e6; throws std::invalid_argument
@@ -17,8 +18,8 @@ class SphereSurface {
   double radius_;
 };
 
-/// A capsule: all points within a radius of the segment from (0, 0, −h) to (0, 0, h). Like the sphere, it does not remember where a finger
-/// entered. On the segment a finger keeps the normal of the last step.
+/// A capsule: all points within a radius of the segment from (0, 0, −h) to (0, 0, h). Like the sphere, it does not
+/// remember where a finger entered. On the segment a finger keeps the normal of the last step.
 class CapsuleSurface {
  public:
   CapsuleSurface(double radius, double half_length);  ///< [m] > 0, ≥ 0, ≤ 1e6; throws std::invalid_argument
@@ -29,9 +30,9 @@ class CapsuleSurface {
   double half_length_;
 };
 
-/// The cylinder x² + y² ≤ R², |z| ≤ h, with flat ends. A finger inside stays on the face (side or end) through which it entered, so that it
-/// cannot pass through a thin disc, not even in one step. Through a thin rod it can: the side is one face, without memory of where on it the
-/// finger entered. On the axis it keeps the normal of the last step.
+/// The cylinder x² + y² ≤ R², |z| ≤ h, with flat ends. A finger inside stays on the face (side or end) through which it
+/// entered, so that it cannot pass through a thin disc, not even in one step. Through a thin rod it can: the side is
+/// one face, without memory of where on it the finger entered. On the axis it keeps the normal of the last step.
 class CylinderSurface {
  public:
   CylinderSurface(double radius, double half_length);  ///< [m] > 0, ≤ 1e6; throws std::invalid_argument
@@ -44,8 +45,8 @@ class CylinderSurface {
   double half_length_;
 };
 
-/// The box |x| ≤ h_x, |y| ≤ h_y, |z| ≤ h_z. A finger stays on the face through which it entered, at any depth, until it leaves over an
-/// edge. So it cannot pass through a thin plate, not even in one step.
+/// The box |x| ≤ h_x, |y| ≤ h_y, |z| ≤ h_z. A finger stays on the face through which it entered, at any depth, until it
+/// leaves over an edge. So it cannot pass through a thin plate, not even in one step.
 class BoxSurface {
  public:
   explicit BoxSurface(const Eigen::Vector3d& half_edges);  ///< [m], each > 0, ≤ 1e6; throws std::invalid_argument

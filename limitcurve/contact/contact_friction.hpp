@@ -8,15 +8,18 @@
 
 namespace limitcurve {
 
-/// The friction of a round contact: its coefficient of friction, and either its contact radius or its moment coefficient.
+/// The friction of a round contact: its coefficient of friction, and either its contact radius or its moment
+/// coefficient.
 struct ContactFriction {
   double mu = 0.0;                           ///< coefficient of friction μ ≥ 0
   std::optional<RadiusLaw> radius_law = {};  ///< contact radius a(P); or
-  std::optional<double> mu_r = {};  ///< moment coefficient μ_r [m/N^γ] ≥ 0, as measured: Γ = μ_r P^(1+γ), whatever the radius
-  double gamma = 0.0;               ///< γ ∈ [−0.5, 1] of μ_r
+  std::optional<double> mu_r =
+      {};              ///< moment coefficient μ_r [m/N^γ] ≥ 0, as measured: Γ = μ_r P^(1+γ), whatever the radius
+  double gamma = 0.0;  ///< γ ∈ [−0.5, 1] of μ_r
 
-  /// a(P): `radius_law`, or `RadiusLaw::of_mu_r` for a curve with the unit moment `moment_ratio` of a pure twist. Throws
-  /// std::invalid_argument, with the name, for a number out of range, and unless exactly one of `radius_law` and `mu_r` is given.
+  /// a(P): `radius_law`, or `RadiusLaw::of_mu_r` for a curve with the unit moment `moment_ratio` of a pure twist.
+  /// Throws std::invalid_argument, with the name, for a number out of range, and unless exactly one of `radius_law` and
+  /// `mu_r` is given.
   [[nodiscard]] RadiusLaw radius(double moment_ratio) const;
 };
 

@@ -8,20 +8,22 @@
 
 namespace limitcurve {
 
-/// How far `load_to_hold` may be off [N] because the pressure of `law` is known only at samples: an estimate, of first order in the law's
-/// stated error; 0 for a law given by a formula. `load` is the result of `load_to_hold` for `force` [N] and `moment` [N·m] on `curve`, a
-/// curve of the law; if that is an ellipse or a box with the law's intercepts, set `intercepts_only`. Does not throw for arguments that
-/// `load_to_hold` accepted. Cost: one call of `along` and one or two of `evaluate`.
+/// How far `load_to_hold` may be off [N] because the pressure of `law` is known only at samples: an estimate, of first
+/// order in the law's stated error; 0 for a law given by a formula. `load` is the result of `load_to_hold` for `force`
+/// [N] and `moment` [N·m] on `curve`, a curve of the law; if that is an ellipse or a box with the law's intercepts, set
+/// `intercepts_only`. Does not throw for arguments that `load_to_hold` accepted. Cost: one call of `along` and one or
+/// two of `evaluate`.
 ///
-/// The load is the largest of (F v/μ + M w/(μ a))/H(v, w) over the slips: at the slip where it touches, a change of the curve enters by
-/// δH = v δf + w δm alone (envelope theorem), and by 1/(1 + γω) if the radius grows with the load.
+/// The load is the largest of (F v/μ + M w/(μ a))/H(v, w) over the slips: at the slip where it touches, a change of the
+/// curve enters by δH = v δf + w δm alone (envelope theorem), and by 1/(1 + γω) if the radius grows with the load.
 template <class Curve>
-double hold_error(const Curve& curve, const PressureLaw& law, const ContactFriction& contact, double load, double force, double moment,
-                  bool intercepts_only = false) {
+double hold_error(const Curve& curve, const PressureLaw& law, const ContactFriction& contact, double load, double force,
+                  double moment, bool intercepts_only = false) {
   if (law.profile_error() == 0.0 || !(load > 0.0 && std::isfinite(load))) return 0.0;
   const RadiusLaw radius_law = detail::radius_law_of(curve, contact);
   const double limit = contact.mu * load;
-  const auto [touched, normal] = curve.along({std::fabs(force) / limit, std::fabs(moment) / (limit * radius_law.radius(load))});
+  const auto [touched, normal] =
+      curve.along({std::fabs(force) / limit, std::fabs(moment) / (limit * radius_law.radius(load))});
   UnitWrench error{};
   if (!intercepts_only) error = law.evaluate(normal.cor()).error;
   // A measured μ_r scales the moments by 1/m₀.

@@ -15,7 +15,8 @@ namespace detail {
 namespace {
 
 void check_finite_magnitude(std::string_view name, double value, std::string_view unit) {
-  if (!(value >= 0.0 && value <= std::numeric_limits<double>::max())) throw out_of_range(name, value, unit, ">= 0 and finite");
+  if (!(value >= 0.0 && value <= std::numeric_limits<double>::max()))
+    throw out_of_range(name, value, unit, ">= 0 and finite");
 }
 
 }  // namespace
@@ -31,8 +32,8 @@ void check_cor(double cor) {
 void check_limits(double mu, double load, double radius) {
   // An infinite limit times a component of 0 would be NaN.
   if (std::isfinite(mu * load) && std::isfinite(mu * load * radius)) return;
-  throw std::invalid_argument("mu = " + format_number(mu) + ", load = " + format_number(load) + " N, radius = " + format_number(radius) +
-                              " m: their product is out of range: expected a finite number");
+  throw std::invalid_argument("mu = " + format_number(mu) + ", load = " + format_number(load) + " N, radius = " +
+                              format_number(radius) + " m: their product is out of range: expected a finite number");
 }
 
 }  // namespace detail

@@ -28,12 +28,14 @@ void check_cor(double cor);
 void check_limits(double mu, double load, double radius);
 }  // namespace detail
 
-/// Slip twists from pure spin (c = 0) to pure sliding (c = ∞), both ends included, evenly spaced in the slip angle atan2(|v|, a|ω|). The
-/// curve's normal then turns by equal steps, so that a polyline through the points looks smooth. `points` ≥ 2, else std::invalid_argument.
+/// Slip twists from pure spin (c = 0) to pure sliding (c = ∞), both ends included, evenly spaced in the slip angle
+/// atan2(|v|, a|ω|). The curve's normal then turns by equal steps, so that a polyline through the points looks smooth.
+/// `points` ≥ 2, else std::invalid_argument.
 std::vector<SlipTwist> slip_twists(std::size_t points);
 
-/// The wrench of a contact that slips about a COR at distance `cor` [m] ∈ [0, ∞] under `load` [N] ≥ 0: F = μP f(c/a), M = μPa m(c/a)
-/// with a = a(P). Relative error: the curve's plus 8 ε. Throws std::invalid_argument for an argument out of range.
+/// The wrench of a contact that slips about a COR at distance `cor` [m] ∈ [0, ∞] under `load` [N] ≥ 0: F = μP f(c/a), M
+/// = μPa m(c/a) with a = a(P). Relative error: the curve's plus 8 ε. Throws std::invalid_argument for an argument out
+/// of range.
 template <LimitCurve Curve>
 LoadPoint load_point(const Curve& curve, const ContactFriction& contact, double load, double cor) {
   detail::check_load(load);
@@ -47,8 +49,8 @@ LoadPoint load_point(const Curve& curve, const ContactFriction& contact, double 
   return {load, cor, capacity * unit.force, capacity * radius * unit.moment};
 }
 
-/// p-curve: points of the limit curve at one load [N] ≥ 0, from pure spin to pure sliding, at `slip_twists(points)`. Throws like
-/// `load_point`.
+/// p-curve: points of the limit curve at one load [N] ≥ 0, from pure spin to pure sliding, at `slip_twists(points)`.
+/// Throws like `load_point`.
 template <LimitCurve Curve>
 std::vector<LoadPoint> p_curve(const Curve& curve, const ContactFriction& contact, double load, std::size_t points) {
   detail::check_load(load);
@@ -65,17 +67,18 @@ std::vector<LoadPoint> p_curve(const Curve& curve, const ContactFriction& contac
   return result;
 }
 
-/// c-curve: the wrenches that slip about one COR [m], at the given `loads` [N]. A straight line from the origin if a does not depend on P,
-/// else curved (the paper's Figs. 4 and 5 draw straight lines). Throws like `load_point`.
+/// c-curve: the wrenches that slip about one COR [m], at the given `loads` [N]. A straight line from the origin if a
+/// does not depend on P, else curved (the paper's Figs. 4 and 5 draw straight lines). Throws like `load_point`.
 template <LimitCurve Curve>
-std::vector<LoadPoint> c_curve(const Curve& curve, const ContactFriction& contact, double cor, std::span<const double> loads) {
+std::vector<LoadPoint> c_curve(const Curve& curve, const ContactFriction& contact, double cor,
+                               std::span<const double> loads) {
   std::vector<LoadPoint> result;
   for (const double load : loads) result.push_back(load_point(curve, contact, load, cor));
   return result;
 }
 
-/// Γ(P) = m₀ μ P a(P) [N·m]: the largest friction moment, that of a pure twist. `moment_ratio` is m₀ ≥ 0, `load` P [N] ≥ 0. Throws
-/// std::invalid_argument for an argument out of range.
+/// Γ(P) = m₀ μ P a(P) [N·m]: the largest friction moment, that of a pure twist. `moment_ratio` is m₀ ≥ 0, `load` P [N]
+/// ≥ 0. Throws std::invalid_argument for an argument out of range.
 double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double mu, double load);
 
 }  // namespace limitcurve

@@ -16,9 +16,9 @@ inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 /// `load_to_hold` of a contact whose radius law is known and whose numbers are in range.
 ///
-/// It is the root of ln gauge(F/μP, M/μPa(P)) = 0 in ln P. The slope is −(1 + γω): γ is the exponent of the radius law, ω the fraction of
-/// the dissipated power that rotation takes, from the curve's normal. Newton's method inside a bracket: below, the larger of the loads that
-/// hold F alone and M alone; above, by convexity, their sum.
+/// It is the root of ln gauge(F/μP, M/μPa(P)) = 0 in ln P. The slope is −(1 + γω): γ is the exponent of the radius law,
+/// ω the fraction of the dissipated power that rotation takes, from the curve's normal. Newton's method inside a
+/// bracket: below, the larger of the loads that hold F alone and M alone; above, by convexity, their sum.
 template <class Curve>
 double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, double force, double moment) {
   constexpr int search_limit = 60;
@@ -37,10 +37,11 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
   double low = (std::max)(force_alone, moment_alone);
   double high = force_alone + moment_alone;
   if (force == 0.0 || moment == 0.0 || std::isinf(high)) return high;
-  // Where the radius falls with the load the sum of the two loads need not hold. A load that carries twice the force alone and twice the
-  // moment alone does.
+  // Where the radius falls with the load the sum of the two loads need not hold. A load that carries twice the force
+  // alone and twice the moment alone does.
   if (radius_law.is_sampled() || radius_law.exponent() < 0.0)
-    high = (std::max)(high, radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);
+    high = (std::max)(
+        high, radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);
   double load = low;
   for (int i = 0; i < search_limit; ++i) {
     const UnitWrench wrench{scaled_force / load, scaled_moment / (load * radius_law.radius(load))};
@@ -68,14 +69,15 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
 inline namespace LIMITCURVE_COPIES {
 #endif
 
-/// How hard to grip: the smallest load [N] under which the contact carries a force [N] and a moment [N·m] without slip. Signs are ignored.
-/// 0 if both are zero; ∞ without friction, for a moment if μ_r is 0, and if no finite load holds; NaN for NaN. Relative error ≤ 1e-12 plus
-/// the curve's; for a measured pressure add `hold_error`. Cost: one call of `gauge` for a constant radius, else 3 to 6 calls of `along`,
-/// at most 60. Throws like `ContactFriction::radius`.
+/// How hard to grip: the smallest load [N] under which the contact carries a force [N] and a moment [N·m] without slip.
+/// Signs are ignored. 0 if both are zero; ∞ without friction, for a moment if μ_r is 0, and if no finite load holds;
+/// NaN for NaN. Relative error ≤ 1e-12 plus the curve's; for a measured pressure add `hold_error`. Cost: one call of
+/// `gauge` for a constant radius, else 3 to 6 calls of `along`, at most 60. Throws like `ContactFriction::radius`.
 template <class Curve>
 double load_to_hold(const Curve& curve, const ContactFriction& contact, double force, double moment) {
   const RadiusLaw radius_law = detail::radius_law_of(curve, contact);
-  if (contact.mu_r == 0.0 && std::fabs(moment) > 0.0 && !std::isnan(force)) return std::numeric_limits<double>::infinity();
+  if (contact.mu_r == 0.0 && std::fabs(moment) > 0.0 && !std::isnan(force))
+    return std::numeric_limits<double>::infinity();
   return detail::load_to_hold(curve, radius_law, contact.mu, force, moment);
 }
 

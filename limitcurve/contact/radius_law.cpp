@@ -14,7 +14,8 @@ namespace limitcurve {
 namespace {
 
 double checked(std::string_view name, double value, std::string_view unit) {
-  if (!(value > 0.0 && value <= std::numeric_limits<double>::max())) throw out_of_range(name, value, unit, "> 0 and finite");
+  if (!(value > 0.0 && value <= std::numeric_limits<double>::max()))
+    throw out_of_range(name, value, unit, "> 0 and finite");
   return value;
 }
 
@@ -43,7 +44,8 @@ RadiusLaw RadiusLaw::power(double coefficient, double exponent) {
 }
 
 RadiusLaw RadiusLaw::sampled(std::span<const LoadSample> radii) {
-  if (radii.size() < 2) throw std::invalid_argument("radius law of " + std::to_string(radii.size()) + " samples: expected at least 2");
+  if (radii.size() < 2)
+    throw std::invalid_argument("radius law of " + std::to_string(radii.size()) + " samples: expected at least 2");
   auto stretches = std::make_shared<std::vector<Stretch>>();
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const std::string sample = " of sample " + std::to_string(i + 1);
@@ -51,7 +53,8 @@ RadiusLaw RadiusLaw::sampled(std::span<const LoadSample> radii) {
     checked("value" + sample, radii[i].value, "m or N m");
     if (i == 0) continue;
     const LoadSample& before = radii[i - 1];
-    if (!(radii[i].load > before.load)) throw out_of_range("load" + sample, radii[i].load, "N", "greater than the one before");
+    if (!(radii[i].load > before.load))
+      throw out_of_range("load" + sample, radii[i].load, "N", "greater than the one before");
     const double exponent = std::log(radii[i].value / before.value) / std::log(radii[i].load / before.load);
     if (!(exponent > -1.0 && exponent <= 1.0))
       throw out_of_range("exponent before sample " + std::to_string(i + 1), exponent, "1", "-1 < gamma <= 1");
@@ -69,7 +72,8 @@ RadiusLaw RadiusLaw::of_moments(std::span<const LoadSample> moments, double mu, 
   checked("mu", mu, "1");
   checked("moment_ratio", moment_ratio, "1");
   std::vector<LoadSample> radii;
-  for (const LoadSample& sample : moments) radii.push_back({sample.load, sample.value / (moment_ratio * mu * sample.load)});
+  for (const LoadSample& sample : moments)
+    radii.push_back({sample.load, sample.value / (moment_ratio * mu * sample.load)});
   return sampled(radii);
 }
 
@@ -103,12 +107,15 @@ const RadiusLaw::Stretch& RadiusLaw::stretch_at(double load) const noexcept {
 }
 
 double RadiusLaw::load_of_product(double product) const noexcept {
-  const auto load_in = [&](const Stretch& stretch) { return std::pow(product / stretch.coefficient, 1.0 / (1.0 + stretch.exponent)); };
+  const auto load_in = [&](const Stretch& stretch) {
+    return std::pow(product / stretch.coefficient, 1.0 / (1.0 + stretch.exponent));
+  };
   if (!stretches_) return load_in({0.0, coefficient_, exponent_});
   // P·a(P) rises throughout, because every exponent is above −1.
-  const auto after = std::upper_bound(stretches_->begin() + 1, stretches_->end(), product, [&](double value, const Stretch& stretch) {
-    return value < stretch.from_load * stretch.coefficient * std::pow(stretch.from_load, stretch.exponent);
-  });
+  const auto after =
+      std::upper_bound(stretches_->begin() + 1, stretches_->end(), product, [&](double value, const Stretch& stretch) {
+        return value < stretch.from_load * stretch.coefficient * std::pow(stretch.from_load, stretch.exponent);
+      });
   return load_in(*(after - 1));
 }
 
@@ -131,7 +138,8 @@ RadiusLaw RadiusLaw::parse(std::string_view text) {
       return power(first, second);
     }
     throw std::invalid_argument(
-        "expected constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259; on the command line also samples:FILE.csv "
+        "expected constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259; on the command line also "
+        "samples:FILE.csv "
         "(load,radius), moments:FILE.csv (load,moment)" +
         did_you_mean(kind, {"constant", "hertz", "power", "samples", "moments"}, text.substr(kind.size())));
   } catch (const std::invalid_argument& error) {

@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-/// SI units. Functions that make radius laws throw std::invalid_argument with the parameter, its value, unit and range; call them offline.
+/// SI units. Functions that make radius laws throw std::invalid_argument with the parameter, its value, unit and range;
+/// call them offline.
 namespace limitcurve {
 
 /// A measured contact radius, or a measured limit of the friction moment, at a load.
@@ -18,10 +19,10 @@ struct LoadSample {
   double value;  ///< a [m] or Γ [N·m] > 0
 };
 
-/// A radius law: the contact radius a(P) at normal load P. Either a power law a = c·P^γ, which covers the published laws: constant (γ = 0),
-/// Hertz a = (3PR/4E*)^{1/3} (γ = 1/3), soft finger c·P^γ (Xydas and Kao 1999, 0 ≤ γ ≤ 1/3); or measured samples with a power law from each
-/// sample to the next. Because Γ(P) = m₀ μ P a(P), a measured moment limit gives a radius law, too: `of_moments`, and `of_mu_r` for
-/// Γ = μ_r P^(1+γ). Immutable; copies share the samples.
+/// A radius law: the contact radius a(P) at normal load P. Either a power law a = c·P^γ, which covers the published
+/// laws: constant (γ = 0), Hertz a = (3PR/4E*)^{1/3} (γ = 1/3), soft finger c·P^γ (Xydas and Kao 1999, 0 ≤ γ ≤ 1/3); or
+/// measured samples with a power law from each sample to the next. Because Γ(P) = m₀ μ P a(P), a measured moment limit
+/// gives a radius law, too: `of_moments`, and `of_mu_r` for Γ = μ_r P^(1+γ). Immutable; copies share the samples.
 class RadiusLaw {
  public:
   /// a = radius [m] > 0 at every load.
@@ -30,13 +31,15 @@ class RadiusLaw {
   static RadiusLaw hertz(double sphere_radius, double modulus);
   /// a = c P^γ, c [m/N^γ] > 0, γ ∈ [0, 1].
   static RadiusLaw power(double coefficient, double exponent);
-  /// Interpolates samples of the radius linearly in log–log; the first and last lines go on beyond the samples. At least two samples, loads
-  /// increasing, the exponent between two samples in (−1, 1], so that the moment limit grows with the load.
+  /// Interpolates samples of the radius linearly in log–log; the first and last lines go on beyond the samples. At
+  /// least two samples, loads increasing, the exponent between two samples in (−1, 1], so that the moment limit grows
+  /// with the load.
   static RadiusLaw sampled(std::span<const LoadSample> radii);
   /// Interpolates samples of the moment limit Γ [N·m] the same way: a = Γ/(m₀ μ P).
   static RadiusLaw of_moments(std::span<const LoadSample> moments, double mu, double moment_ratio);
-  /// The radius at which Γ(P) = μ_r P^(1+γ) (paper, eq. 2): a = μ_r P^γ/(μ m₀), μ_r [m/N^γ] ≥ 0, γ ∈ [−0.5, 1]. Without friction μ_r must be
-  /// 0; for μ_r = 0 the radius is so small that the moment is negligible: limits are continuous in the parameters.
+  /// The radius at which Γ(P) = μ_r P^(1+γ) (paper, eq. 2): a = μ_r P^γ/(μ m₀), μ_r [m/N^γ] ≥ 0, γ ∈ [−0.5, 1]. Without
+  /// friction μ_r must be 0; for μ_r = 0 the radius is so small that the moment is negligible: limits are continuous in
+  /// the parameters.
   static RadiusLaw of_mu_r(double mu_r, double gamma, double mu, double moment_ratio);
   /// `constant:a=0.005`, `hertz:R=0.008,E=2e5`, `power:c=0.00207,gamma=0.259`.
   static RadiusLaw parse(std::string_view text);
@@ -63,7 +66,8 @@ class RadiusLaw {
   [[nodiscard]] bool is_sampled() const noexcept { return stretches_ != nullptr; }
   /// Whether a is a function of the load, as a property of the law: two equal radii do not make it constant.
   [[nodiscard]] bool depends_on_load() const noexcept { return is_sampled() || exponent_ != 0.0; }
-  /// The smallest and the largest load [N] of the samples, beyond which a sampled law extrapolates; 0 and infinity for any other law.
+  /// The smallest and the largest load [N] of the samples, beyond which a sampled law extrapolates; 0 and infinity for
+  /// any other law.
   [[nodiscard]] std::pair<double, double> sampled_loads() const noexcept { return sampled_loads_; }
 
  private:

@@ -65,7 +65,8 @@ std::vector<EngineContact> contacts_of(double mu, const Friction& friction, cons
     if (friction.x != friction.y && !takes_two(facts.at("engine"))) continue;
     if (!errors.contains(model)) errors[model] = error_of(model);
     const ShapeError& error = errors[model];
-    EngineContact contact{facts.at("engine"), model, {}, error.curve, error.wrench, error.over_loads, facts.at("link"), facts.at("needs")};
+    EngineContact contact{facts.at("engine"), model, {}, error.curve, error.wrench, error.over_loads, facts.at("link"),
+                          facts.at("needs")};
     for (const Facts& coefficient : all_coefficients()) {
       if (coefficient.at("engine") != contact.engine) continue;
       if (!coefficient.at("model").empty() && coefficient.at("model") != model) continue;
@@ -77,7 +78,8 @@ std::vector<EngineContact> contacts_of(double mu, const Friction& friction, cons
         return formula->value(text == "mu_x" ? friction.x : text == "mu_y" ? friction.y : mu, lever);
       };
       contact.coefficients.push_back({coefficient.at("parameter"), value(levers.here), coefficient.at("unit"), text,
-                                      coefficient.at("two_bodies"), note_of(coefficient), value(levers.least), value(levers.greatest)});
+                                      coefficient.at("two_bodies"), note_of(coefficient), value(levers.least),
+                                      value(levers.greatest)});
     }
     contacts.push_back(std::move(contact));
   }
@@ -89,9 +91,9 @@ struct PointLimits {
   [[nodiscard]] static UnitWrench wrench(SlipTwist twist) { return {twist.slide > 0.0 ? 1.0 : 0.0, 0.0}; }
 };
 
-/// Largest distance between the wrenches of two curves at the same twist, in the normalised plane of the exact one: over twists evenly
-/// spaced in the normalised slip angle, and beside the twists where box and diamond jump between corners. A smooth maximum is found to
-/// 1e-6.
+/// Largest distance between the wrenches of two curves at the same twist, in the normalised plane of the exact one:
+/// over twists evenly spaced in the normalised slip angle, and beside the twists where box and diamond jump between
+/// corners. A smooth maximum is found to 1e-6.
 template <class Model>
 double wrench_error(const Model& model, const ExactCurve& exact) {
   constexpr int steps = 4000;
@@ -111,8 +113,8 @@ double wrench_error(const Model& model, const ExactCurve& exact) {
   return largest;
 }
 
-/// Errors of the shape `make(moment_max)`, in unit wrenches at the load of the translation. At another load the engine's moment limit per
-/// newton is constant, while the contact's grows with a(P).
+/// Errors of the shape `make(moment_max)`, in unit wrenches at the load of the translation. At another load the
+/// engine's moment limit per newton is constant, while the contact's grows with a(P).
 template <class MakeModel>
 ShapeError errors_of(const ExactCurve& exact, const Levers& levers, MakeModel make) {
   ShapeError error{curve_error(make(exact.moment_ratio()), exact), wrench_error(make(exact.moment_ratio()), exact)};
@@ -135,11 +137,13 @@ CurveError no_moment() {
 
 }  // namespace
 
-std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law, double mu, double load, LoadRange loads) {
+std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law, double mu, double load,
+                                     LoadRange loads) {
   require("mu", mu, "1");
   require("load", load, "N");
   require("lowest load", loads.low, "N");
-  if (!(loads.high >= loads.low) || std::isinf(loads.high)) throw out_of_range("highest load", loads.high, "N", ">= the lowest and finite");
+  if (!(loads.high >= loads.low) || std::isinf(loads.high))
+    throw out_of_range("highest load", loads.high, "N", ">= the lowest and finite");
 
   const ExactCurve exact(law);
   Levers levers{exact.moment_ratio() * radius_law.radius(load), std::numeric_limits<double>::infinity(), 0.0};
@@ -170,15 +174,19 @@ std::vector<EngineContact> translate(const Patch& patch, double mu) {
   const auto [mx, my] = patch.factors();
   const double own = mx == my ? mu * mx : mu;  // the factor of all directions is one of the coefficient
   const double lever = mu * patch.moment_ratio() / own;
-  auto contacts = contacts_of(own, {mu * mx, mu * my}, {lever, lever, lever}, [&](const std::string& model) -> ShapeError {
-    const auto shape = std::find_if(shapes.begin(), shapes.end(), [&](const EngineShape& one) { return one.name == model; });
-    if (shape == shapes.end()) throw std::logic_error("data/engines: unknown model " + model);
-    return {shape->error, shape->max_wrench_error, shape->error.max_error};
-  });
-  const char* const build = "; for one contact point (a ball, a capsule across); several: no torsion (condim 3), geometry of radius m0 a";
+  auto contacts =
+      contacts_of(own, {mu * mx, mu * my}, {lever, lever, lever}, [&](const std::string& model) -> ShapeError {
+        const auto shape =
+            std::find_if(shapes.begin(), shapes.end(), [&](const EngineShape& one) { return one.name == model; });
+        if (shape == shapes.end()) throw std::logic_error("data/engines: unknown model " + model);
+        return {shape->error, shape->max_wrench_error, shape->error.max_error};
+      });
+  const char* const build =
+      "; for one contact point (a ball, a capsule across); several: no torsion (condim 3), geometry of radius m0 a";
   for (EngineContact& contact : contacts) {
     for (EngineCoefficient& one : contact.coefficients) {
-      if (const Formula* const formula = find_formula(one.formula); formula != nullptr && formula->moment != nullptr) one.note += build;
+      if (const Formula* const formula = find_formula(one.formula); formula != nullptr && formula->moment != nullptr)
+        one.note += build;
     }
   }
   return contacts;

@@ -37,7 +37,8 @@ std::vector<Facts> read_facts(std::string_view text) {
       columns = cells;
       continue;
     }
-    if (cells.size() != columns.size()) throw std::logic_error("data/engines: expected a cell a column: " + std::string(line));
+    if (cells.size() != columns.size())
+      throw std::logic_error("data/engines: expected a cell a column: " + std::string(line));
     Facts& row = rows.emplace_back();
     for (std::size_t i = 0; i < cells.size(); ++i) row[columns[i]] = cells[i];
   }
@@ -88,10 +89,11 @@ constexpr std::array formulas{
     Formula{"mu_r", moment_of, itself, "times load: the moment's limit"},
     Formula{"mu_r/f", moment_of, itself, "times f and load: the moment's limit"},
     Formula{"mu_r/1000", [](double mu, double lever) { return 1e-3 * (mu * lever); }, nullptr, ""},
-    Formula{"m0 a", [](double /*mu*/, double lever) { return lever; }, [](double value, double factor) { return factor * value; },
-            "times @ and load: the moment's limit"},
+    Formula{"m0 a", [](double /*mu*/, double lever) { return lever; },
+            [](double value, double factor) { return factor * value; }, "times @ and load: the moment's limit"},
     Formula{"16 m0 a/(3 pi)", [](double /*mu*/, double lever) { return lever / hertz_ratio; },
-            [](double value, double factor) { return hertz_ratio * factor * value; }, "times 3 pi/16 and @ and load: the moment's limit"},
+            [](double value, double factor) { return hertz_ratio * factor * value; },
+            "times 3 pi/16 and @ and load: the moment's limit"},
     Formula{"sqrt(m0 a/pi)", [](double /*mu*/, double lever) { return std::sqrt(lever / std::numbers::pi); },
             [](double value, double factor) { return std::numbers::pi * value * value * factor; },
             "pi times its square and @ and load: the moment's limit"},
@@ -100,7 +102,8 @@ constexpr std::array formulas{
 }  // namespace
 
 const Formula* find_formula(std::string_view text) {
-  const auto found = std::find_if(formulas.begin(), formulas.end(), [&](const Formula& one) { return one.text == text; });
+  const auto found =
+      std::find_if(formulas.begin(), formulas.end(), [&](const Formula& one) { return one.text == text; });
   return found == formulas.end() ? nullptr : &*found;
 }
 

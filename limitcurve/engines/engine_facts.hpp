@@ -24,8 +24,10 @@ std::vector<std::string> words(std::string_view text);
 struct Formula {
   std::string_view text;
   double (*value)(double mu, double lever);
-  double (*moment)(double value, double factor);  ///< over the load; `factor`: the parameter in column `times`. Null: it sets no moment
-  std::string_view use;                           ///< what the engine makes of it; @: that parameter
+  double (*moment)(
+      double value,
+      double factor);    ///< over the load; `factor`: the parameter in column `times`. Null: it sets no moment
+  std::string_view use;  ///< what the engine makes of it; @: that parameter
 };
 
 /// The value of a coefficient of friction.

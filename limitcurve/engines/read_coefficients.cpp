@@ -22,13 +22,15 @@ const Facts& find_coefficient(std::string_view engine, std::string_view paramete
   for (const Facts& facts : all_coefficients()) {
     if (facts.at("engine") != engine) continue;
     const std::vector<std::string> names = words(facts.at("word"));
-    if (parameter == facts.at("parameter") || std::find(names.begin(), names.end(), parameter) != names.end()) return facts;
+    if (parameter == facts.at("parameter") || std::find(names.begin(), names.end(), parameter) != names.end())
+      return facts;
     if (std::find(known.begin(), known.end(), names.front()) == known.end()) known.push_back(names.front());
   }
   std::string expected;
   for (const std::string& one : known) expected += " " + one;
-  throw std::invalid_argument(std::string(engine) + " has no parameter '" + std::string(parameter) + "', expected one of" + expected +
-                              " or the engine's own name" + did_you_mean(parameter, {known.begin(), known.end()}));
+  throw std::invalid_argument(std::string(engine) + " has no parameter '" + std::string(parameter) +
+                              "', expected one of" + expected + " or the engine's own name" +
+                              did_you_mean(parameter, {known.begin(), known.end()}));
 }
 
 /// Whether a number limits the force.
@@ -42,11 +44,13 @@ using ContactNumbers = std::map<const Facts*, double>;
 
 double friction_in(const ContactNumbers& contact, const Facts* factor, double otherwise) {
   if (factor != nullptr && is_friction(*factor) && contact.contains(factor)) return contact.at(factor);
-  const auto found = std::find_if(contact.begin(), contact.end(), [](const auto& number) { return is_friction(*number.first); });
+  const auto found =
+      std::find_if(contact.begin(), contact.end(), [](const auto& number) { return is_friction(*number.first); });
   return found == contact.end() ? otherwise : found->second;
 }
 
-CoefficientMeaning meaning_of(const Facts& row, double value, const ContactNumbers& contact, double mu, double moment_ratio) {
+CoefficientMeaning meaning_of(const Facts& row, double value, const ContactNumbers& contact, double mu,
+                              double moment_ratio) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   CoefficientMeaning meaning{row.at("engine"), row.at("parameter"), unknown, unknown, note_of(row)};
   const Formula* const formula = find_formula(row.at("formula"));
@@ -63,7 +67,8 @@ CoefficientMeaning meaning_of(const Facts& row, double value, const ContactNumbe
     if (!is_given) meaning.note += "; with " + row.at("times") + " " + times->at("default") + ", the default";
   }
   meaning.moment_per_load = formula->moment(value, factor);
-  if (const Facts* const needed = other("needs"); needed != nullptr) {  // a switch: its formula is the number that turns it on
+  if (const Facts* const needed = other("needs");
+      needed != nullptr) {  // a switch: its formula is the number that turns it on
     const double least = parse_number(needed->at("formula")).value();
     const std::string condition = row.at("needs") + " " + needed->at("formula");
     if (contact.contains(needed)) {
@@ -82,7 +87,8 @@ CoefficientMeaning meaning_of(const Facts& row, double value, const ContactNumbe
   meaning.radius = meaning.moment_per_load / friction / moment_ratio;
   constexpr double smallest = 1e-3;
   constexpr double largest = 2e-2;
-  if (!(meaning.radius >= smallest && meaning.radius <= largest)) meaning.note += "; no fingertip: its contact radius is 3 to 10 mm";
+  if (!(meaning.radius >= smallest && meaning.radius <= largest))
+    meaning.note += "; no fingertip: its contact radius is 3 to 10 mm";
   return meaning;
 }
 

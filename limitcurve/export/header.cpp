@@ -33,22 +33,29 @@ std::string own_name(const Table& table, std::string_view digits) {
 
 /// The reserved words of C23 and C++23, and `main`.
 constexpr std::string_view reserved =
-    " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class co_await co_return "
-    "co_yield compl concept const consteval constexpr constinit const_cast continue decltype default delete do double dynamic_cast else "
-    "enum explicit export extern false float for friend goto if inline int long main mutable namespace new noexcept not not_eq nullptr "
-    "operator or or_eq private protected public register reinterpret_cast requires restrict return short signed sizeof static "
-    "static_assert static_cast struct switch template this thread_local throw true try typedef typeid typename typeof typeof_unqual union "
+    " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class "
+    "co_await co_return "
+    "co_yield compl concept const consteval constexpr constinit const_cast continue decltype default delete do double "
+    "dynamic_cast else "
+    "enum explicit export extern false float for friend goto if inline int long main mutable namespace new noexcept "
+    "not not_eq nullptr "
+    "operator or or_eq private protected public register reinterpret_cast requires restrict return short signed sizeof "
+    "static "
+    "static_assert static_cast struct switch template this thread_local throw true try typedef typeid typename typeof "
+    "typeof_unqual union "
     "unsigned using virtual void volatile wchar_t while xor xor_eq ";
 
 void check_name(std::string_view name) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto fits = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
   if (!name.empty() && is_letter(name.front()) && std::all_of(name.begin(), name.end(), fits) &&
-      name.find("__") == std::string_view::npos && reserved.find(" " + std::string(name) + " ") == std::string_view::npos) {
+      name.find("__") == std::string_view::npos &&
+      reserved.find(" " + std::string(name) + " ") == std::string_view::npos) {
     return;
   }
-  throw std::invalid_argument("name: got '" + std::string(name) +
-                              "', expected a C identifier: a letter, then letters, digits and single underscores, and no word of C or C++");
+  throw std::invalid_argument(
+      "name: got '" + std::string(name) +
+      "', expected a C identifier: a letter, then letters, digits and single underscores, and no word of C or C++");
 }
 
 /// C in double precision as C in single precision: types and literals, but in comments.
@@ -75,7 +82,8 @@ std::string to_header(const Table& table, std::string_view chosen_name, bool is_
   const auto literal = [&](double value) {
     std::array<char, 32> digits{};
     const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<float>(value)).ptr;
-    std::string text = is_single ? std::string(digits.data(), static_cast<std::size_t>(end - digits.data())) : format_number(value);
+    std::string text =
+        is_single ? std::string(digits.data(), static_cast<std::size_t>(end - digits.data())) : format_number(value);
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return is_single ? text + "f" : text;
   };
@@ -243,7 +251,8 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_closest_point(double force, dou
 )";
   if (is_single) text = in_float(text);
   const auto put = [&](std::string_view word, const std::string& value) {
-    for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += value.size()) text.replace(at, word.size(), value);
+    for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += value.size())
+      text.replace(at, word.size(), value);
   };
   const std::string sum = checksum(table);
   const std::string_view digits = std::string_view(sum).substr(6);

@@ -22,7 +22,8 @@ KeyValue angle_key(std::string_view key, double& value, const Range& range, bool
     const double number = read_number(has_unit ? text.substr(0, text.size() - 3) : text, range);
     const double angle = unit == "deg" ? number * std::numbers::pi / 180.0 : number;
     // The conversion to radians may overflow or leave the range.
-    if (!range.contains(angle)) throw std::invalid_argument("got '" + std::string(text) + "', expected " + std::string(range.text));
+    if (!range.contains(angle))
+      throw std::invalid_argument("got '" + std::string(text) + "', expected " + std::string(range.text));
     value = angle;
   };
   return {key, take, required};
@@ -61,13 +62,16 @@ void read_key_values(std::string_view text, const std::vector<KeyValue>& keys) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string_view item = text.substr(begin, end - begin);
     const std::size_t equals = item.find('=');
-    const auto found = std::find_if(keys.begin(), keys.end(), [&](const KeyValue& key) { return key.key == item.substr(0, equals); });
+    const auto found =
+        std::find_if(keys.begin(), keys.end(), [&](const KeyValue& key) { return key.key == item.substr(0, equals); });
     if (equals == std::string_view::npos || found == keys.end()) {
-      throw std::invalid_argument("got '" + std::string(item) + "' in '" + std::string(text) + "', expected " + expected +
-                                  did_you_mean(item.substr(0, equals), names));
+      throw std::invalid_argument("got '" + std::string(item) + "' in '" + std::string(text) + "', expected " +
+                                  expected + did_you_mean(item.substr(0, equals), names));
     }
     const auto index = static_cast<std::size_t>(found - keys.begin());
-    if (seen[index]) throw std::invalid_argument("'" + std::string(found->key) + "' twice in '" + std::string(text) + "', expected once");
+    if (seen[index])
+      throw std::invalid_argument("'" + std::string(found->key) + "' twice in '" + std::string(text) +
+                                  "', expected once");
     seen[index] = true;
     try {
       found->take(item.substr(equals + 1));
@@ -78,7 +82,8 @@ void read_key_values(std::string_view text, const std::vector<KeyValue>& keys) {
   }
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (keys[i].required && !seen[i]) {
-      throw std::invalid_argument("no '" + std::string(keys[i].key) + "' in '" + std::string(text) + "', expected " + expected);
+      throw std::invalid_argument("no '" + std::string(keys[i].key) + "' in '" + std::string(text) + "', expected " +
+                                  expected);
     }
   }
 }

@@ -18,8 +18,8 @@ inline std::string joined(std::span<const std::string_view> names) {
   return text;
 }
 
-/// The value of an enumeration whose names, in its order from 0 on, are these; "_" counts as "-". Throws std::invalid_argument, which has
-/// the noun, the text and the names, for a text that is none.
+/// The value of an enumeration whose names, in its order from 0 on, are these; "_" counts as "-". Throws
+/// std::invalid_argument, which has the noun, the text and the names, for a text that is none.
 template <class Kind>
 Kind parse_name(std::span<const std::string_view> names, std::string_view noun, std::string_view text) {
   std::string given(text);

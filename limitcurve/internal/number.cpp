@@ -27,7 +27,8 @@ std::string format_number(double value) {
 std::string format_number(double value, int digits) {
   if (!std::isfinite(value)) return format_number(value);
   std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits).ptr};
+  return {buffer.data(),
+          std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits).ptr};
 }
 
 #ifndef _LIBCPP_VERSION

@@ -12,7 +12,8 @@ namespace limitcurve {
 double read_number(std::string_view text, const std::optional<Range>& range) {
   const auto value = parse_number(text);
   if (value && (!range || range->contains(*value))) return *value;
-  throw std::invalid_argument("got '" + std::string(text) + "', expected " + (range ? std::string(range->text) : "a number"));
+  throw std::invalid_argument("got '" + std::string(text) + "', expected " +
+                              (range ? std::string(range->text) : "a number"));
 }
 
 std::vector<double> read_number_list(std::string_view text, const Range& range) {

@@ -6,7 +6,8 @@
 
 namespace limitcurve {
 
-/// The valid values of an option, a column or a parameter, and their description for error messages. NaN is never valid.
+/// The valid values of an option, a column or a parameter, and their description for error messages. NaN is never
+/// valid.
 struct Range {
   double least;
   double most;

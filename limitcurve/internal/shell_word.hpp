@@ -6,7 +6,8 @@
 
 namespace limitcurve {
 
-/// The text as one word of a POSIX shell, for every line that is printed to be typed: as it is where a shell leaves it alone, else quoted.
+/// The text as one word of a POSIX shell, for every line that is printed to be typed: as it is where a shell leaves it
+/// alone, else quoted.
 inline std::string shell_word(std::string_view text) {
   constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=:,./@%";
   if (!text.empty() && text.find_first_not_of(plain) == std::string_view::npos) return std::string(text);

@@ -3,6 +3,7 @@
 
 namespace limitcurve::kernel {
 
-template std::size_t gauges_in_packs<Avx512>(const CurveView<double>&, const UnitWrench*, double*, std::size_t) noexcept;
+template std::size_t gauges_in_packs<Avx512>(const CurveView<double>&, const UnitWrench*, double*,
+                                             std::size_t) noexcept;
 
 }  // namespace limitcurve::kernel

@@ -8,12 +8,13 @@
 #include <cstdint>
 #include <type_traits>
 
-/// Packs of numbers, one vector register each, under the names of single numbers (limitcurve/arithmetic.hpp, batch/step.hpp). A template on
-/// Number then computes as many results as a pack has lanes, with the same bits. Here by the vector extensions of GCC and Clang, for any
-/// width; pack_x86.hpp has overloads for what x86-64 has instructions of its own.
+/// Packs of numbers, one vector register each, under the names of single numbers (limitcurve/arithmetic.hpp,
+/// batch/step.hpp). A template on Number then computes as many results as a pack has lanes, with the same bits. Here by
+/// the vector extensions of GCC and Clang, for any width; pack_x86.hpp has overloads for what x86-64 has instructions
+/// of its own.
 ///
-/// The instruction set is part of every type's name: sources that are compiled for different processors share no function that the linker
-/// could take from the wrong one.
+/// The instruction set is part of every type's name: sources that are compiled for different processors share no
+/// function that the linker could take from the wrong one.
 namespace limitcurve::kernel {
 
 /// Instruction sets. The baseline is what every processor has: SSE2 on x86-64, NEON on AArch64.
@@ -59,7 +60,8 @@ struct Index {
   Integers lanes{};
 
   Index() noexcept = default;
-  Index(int all) noexcept : lanes(typename Registers<Real, Isa>::Integer{all} - Integers{}) {}  // NOLINT: meant to convert
+  Index(int all) noexcept
+      : lanes(typename Registers<Real, Isa>::Integer{all} - Integers{}) {}  // NOLINT: meant to convert
   explicit Index(Integers of_lanes) noexcept : lanes(of_lanes) {}
 
   friend Index operator+(Index a, Index b) noexcept { return Index(a.lanes + b.lanes); }
@@ -99,10 +101,12 @@ template <class Real, class Isa>
 [[nodiscard]] Pack<Real, Isa> select(Mask<Real, Isa> condition, Pack<Real, Isa> yes, Pack<Real, Isa> no) noexcept {
   using Bits = Index<Real, Isa>;
   using Integers = typename Bits::Integers;
-  return Pack<Real, Isa>((typename Pack<Real, Isa>::Numbers)select(condition, Bits((Integers)yes.lanes), Bits((Integers)no.lanes)).lanes);
+  return Pack<Real, Isa>(
+      (typename Pack<Real, Isa>::Numbers)select(condition, Bits((Integers)yes.lanes), Bits((Integers)no.lanes)).lanes);
 }
 template <class Real, class Isa>
-[[nodiscard]] Index<Real, Isa> one_of(const std::array<int, 2>& values, Mask<Real, Isa> condition, Index<Real, Isa> /*type*/) noexcept {
+[[nodiscard]] Index<Real, Isa> one_of(const std::array<int, 2>& values, Mask<Real, Isa> condition,
+                                      Index<Real, Isa> /*type*/) noexcept {
   return select(condition, Index<Real, Isa>(values[1]), Index<Real, Isa>(values[0]));
 }
 template <class Real, class Isa>
@@ -151,7 +155,8 @@ template <class Real, class Isa>
   for (std::size_t lane = 0; lane < result.size; ++lane) result.lanes[lane] = array[at.lanes[lane]];
   return result;
 }
-/// The array must have an even length and the alignment of a 32-bit word, because some processors gather no smaller words.
+/// The array must have an even length and the alignment of a 32-bit word, because some processors gather no smaller
+/// words.
 template <class Real, class Isa>
 [[nodiscard]] Index<Real, Isa> gather(const std::uint16_t* array, Index<Real, Isa> at) noexcept {
   for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane) at.lanes[lane] = array[at.lanes[lane]];
@@ -202,7 +207,8 @@ void set_states_where(Mask<Real, Isa> where, State* states, Mask<Real, Isa> firs
   Lanes lanes = select(first, select(second, all(2), all(1)), all(0));
   if (any(!where)) {
     Lanes before;
-    for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane) before.lanes[lane] = static_cast<int>(states[lane]);
+    for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane)
+      before.lanes[lane] = static_cast<int>(states[lane]);
     lanes = select(where, lanes, before);
   }
   store_states(lanes, states);
@@ -218,11 +224,16 @@ struct LoadedCell {
   [[nodiscard]] Pack<Real, Isa> origin() const noexcept { return gather(array, at); }
   [[nodiscard]] Pack<Real, Isa> force(int i) const noexcept { return gather(array + 2 * i + 2, at); }
   [[nodiscard]] Pack<Real, Isa> moment(int i) const noexcept { return gather(array + 2 * i + 3, at); }
-  [[nodiscard]] Pack<Real, Isa> leading(int i) const noexcept { return gather(array + 2 * i + 2, at + one_of({0, 1}, beyond_rim, at)); }
-  [[nodiscard]] Pack<Real, Isa> trailing(int i) const noexcept { return gather(array + 2 * i + 2, at + one_of({1, 0}, beyond_rim, at)); }
+  [[nodiscard]] Pack<Real, Isa> leading(int i) const noexcept {
+    return gather(array + 2 * i + 2, at + one_of({0, 1}, beyond_rim, at));
+  }
+  [[nodiscard]] Pack<Real, Isa> trailing(int i) const noexcept {
+    return gather(array + 2 * i + 2, at + one_of({1, 0}, beyond_rim, at));
+  }
 };
 template <class Real, class Isa>
-[[nodiscard]] LoadedCell<Real, Isa> load_cell(const Real* array, Index<Real, Isa> at, Mask<Real, Isa> beyond_rim) noexcept {
+[[nodiscard]] LoadedCell<Real, Isa> load_cell(const Real* array, Index<Real, Isa> at,
+                                              Mask<Real, Isa> beyond_rim) noexcept {
   return {at, array, beyond_rim};
 }
 

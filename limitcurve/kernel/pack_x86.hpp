@@ -49,7 +49,8 @@ template <class Real, class State>
 void store_states(Index<Real, Avx2> lanes, State* states) noexcept {
   __m128i low = _mm256_castsi256_si128((__m256i)lanes.lanes);
   __m128i high = _mm256_extracti128_si256((__m256i)lanes.lanes, 1);
-  if constexpr (sizeof(Real) == 8) low = high = (__m128i)_mm_shuffle_ps((__m128)low, (__m128)high, _MM_SHUFFLE(2, 0, 2, 0));
+  if constexpr (sizeof(Real) == 8)
+    low = high = (__m128i)_mm_shuffle_ps((__m128)low, (__m128)high, _MM_SHUFFLE(2, 0, 2, 0));
   low = _mm_packs_epi32(low, high);
   low = _mm_packs_epi16(low, low);
   __builtin_memcpy(states, &low, Pack<Real, Avx2>::size);
@@ -105,12 +106,15 @@ struct Mask<Real, Avx512> {
 };
 
 template <class Real>
-[[nodiscard]] Index<Real, Avx512> select(Mask<Real, Avx512> condition, Index<Real, Avx512> yes, Index<Real, Avx512> no) noexcept {
+[[nodiscard]] Index<Real, Avx512> select(Mask<Real, Avx512> condition, Index<Real, Avx512> yes,
+                                         Index<Real, Avx512> no) noexcept {
   using Integers = typename Index<Real, Avx512>::Integers;
   if constexpr (sizeof(Real) == 8) {
-    return Index<Real, Avx512>((Integers)_mm512_mask_blend_epi64(condition.bits, (__m512i)no.lanes, (__m512i)yes.lanes));
+    return Index<Real, Avx512>(
+        (Integers)_mm512_mask_blend_epi64(condition.bits, (__m512i)no.lanes, (__m512i)yes.lanes));
   } else {
-    return Index<Real, Avx512>((Integers)_mm512_mask_blend_epi32(condition.bits, (__m512i)no.lanes, (__m512i)yes.lanes));
+    return Index<Real, Avx512>(
+        (Integers)_mm512_mask_blend_epi32(condition.bits, (__m512i)no.lanes, (__m512i)yes.lanes));
   }
 }
 template <class Real>
@@ -149,7 +153,8 @@ template <class Real>
   const auto word = (__m512i)(at.lanes >> 1);
   Integers words;
   if constexpr (sizeof(Real) == 8) {
-    words = (Integers)_mm512_maskz_cvtepu32_epi64(0xFF, _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), 0xFF, word, array, 4));
+    words = (Integers)_mm512_maskz_cvtepu32_epi64(
+        0xFF, _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), 0xFF, word, array, 4));
   } else {
     words = (Integers)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xFFFF, word, array, 4);
   }
@@ -163,7 +168,8 @@ template <class Real, class State>
 }
 template <class Real, class State>
 [[nodiscard]] Mask<Real, Avx512> has_state(const State* states, State wanted, Pack<Real, Avx512>) noexcept {
-  return {(typename Mask<Real, Avx512>::Bits)_mm_cmpeq_epi8_mask(load_states<Real>(states), _mm_set1_epi8(static_cast<char>(wanted)))};
+  return {(typename Mask<Real, Avx512>::Bits)_mm_cmpeq_epi8_mask(load_states<Real>(states),
+                                                                 _mm_set1_epi8(static_cast<char>(wanted)))};
 }
 template <class Real, class State>
 void set_states_where(Mask<Real, Avx512> where, State* states, Mask<Real, Avx512> first, Mask<Real, Avx512> second,
@@ -179,7 +185,8 @@ void set_states_where(Mask<Real, Avx512> where, State* states, Mask<Real, Avx512
 template <class Isa>
 concept Wide = (Isa::bytes > 16);
 
-/// Eight numbers in a row from array[at] on, in each lane: loaded in one piece and transposed, because gathers are slow.
+/// Eight numbers in a row from array[at] on, in each lane: loaded in one piece and transposed, because gathers are
+/// slow.
 template <class Isa>
 [[nodiscard]] std::array<Pack<double, Isa>, 8> load_rows(const double* array, Index<double, Isa> at) noexcept {
   using Result = Pack<double, Isa>;

@@ -19,7 +19,9 @@ class ConeLaw final : public PressureLawOf<ConeLaw> {
     return std::log1p((at.rim + std::sqrt(at.rim * (1 + at.radius))) / at.radius);
   }
   std::optional<Extended> punch_density(RadialPosition<Extended> at) const noexcept override { return 2 * at.radius; }
-  std::optional<UnitForces<Extended>> closed(Extended s, Slope /*slope*/) const noexcept override { return closed_form::cone(s); }
+  std::optional<UnitForces<Extended>> closed(Extended s, Slope /*slope*/) const noexcept override {
+    return closed_form::cone(s);
+  }
   UnitForces<double> forces(double s, Slope /*slope*/) const noexcept override { return closed_form::cone(s); }
 };
 

@@ -60,7 +60,8 @@ class GaussianLaw final : public PressureLawOf<GaussianLaw> {
 
   std::optional<UnitForces<Extended>> closed(Extended s, Slope /*slope*/) const noexcept override {
     const Extended x = s / (2 * sigma_);
-    // For large z use the expansion: e^z overflows. NaN takes this branch, too, because Boost's functions do not accept it.
+    // For large z use the expansion: e^z overflows. NaN takes this branch, too, because Boost's functions do not accept
+    // it.
     if (!(x * x <= 40)) {
       const Extended inverse = 1 / x;
       const ScaledBessel bessel = asymptotic(inverse * inverse);
@@ -72,7 +73,8 @@ class GaussianLaw final : public PressureLawOf<GaussianLaw> {
     const Extended decay = std::exp(-z);
     const Extended zero = decay * boost::math::cyl_bessel_i(0, z);
     const Extended one = decay * boost::math::cyl_bessel_i(1, z);
-    return UnitForces<Extended>{root_half_pi * x * (zero + one), sigma_ * root_half_pi * zero, root_half_pi / (2 * sigma_) * (zero - one)};
+    return UnitForces<Extended>{root_half_pi * x * (zero + one), sigma_ * root_half_pi * zero,
+                                root_half_pi / (2 * sigma_) * (zero - one)};
   }
 
  private:

@@ -25,7 +25,8 @@ struct Kind {
   [[nodiscard]] constexpr std::string_view name() const { return example.substr(0, example.find(':')); }
   [[nodiscard]] constexpr std::string_view parameter() const {
     const std::size_t colon = example.find(':');
-    return colon == std::string_view::npos ? std::string_view{} : example.substr(colon + 1, example.find('=') - colon - 1);
+    return colon == std::string_view::npos ? std::string_view{}
+                                           : example.substr(colon + 1, example.find('=') - colon - 1);
   }
 };
 
@@ -83,8 +84,9 @@ Law parse_unchecked(std::string_view text) {
       read_key_values(rest.value_or(""), {number_key(kind.parameter(), value)});
     } else if (rest) {
       const std::string key(rest->substr(0, rest->find('=')));
-      throw std::invalid_argument(std::string(name) + " has no parameter" + (key.empty() ? "" : " '" + key + "'") + ", expected " +
-                                  std::string(name) + "; the contact radius is that of the radius law (--radius-law)");
+      throw std::invalid_argument(std::string(name) + " has no parameter" + (key.empty() ? "" : " '" + key + "'") +
+                                  ", expected " + std::string(name) +
+                                  "; the contact radius is that of the radius law (--radius-law)");
     }
     return kind.make(value);
   }

@@ -132,7 +132,8 @@ Law mixture(std::span<const std::pair<double, Law>> parts) {
   Extended total = 0;
   for (const auto& [weight, law] : parts) {
     checked(law);
-    if (!(weight > 0.0 && weight <= 1e12)) throw out_of_range("weight of " + law->name(), weight, "1", "0 < weight <= 1e12");
+    if (!(weight > 0.0 && weight <= 1e12))
+      throw out_of_range("weight of " + law->name(), weight, "1", "0 < weight <= 1e12");
     total += weight;
   }
   std::vector<MixtureLaw::Part> scaled;

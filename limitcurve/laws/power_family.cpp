@@ -16,8 +16,8 @@ namespace {
 
 constexpr Extended pi = closed_form::pi;
 
-/// (n+1)(1−ρ²)ⁿ for any n > −1. The closed form is ₂F₁ as its Euler integral (DLMF 15.6.1) with t = sin²θ, w = 1 − z sin²θ; geometrically,
-/// the mean over chords through the COR:
+/// (n+1)(1−ρ²)ⁿ for any n > −1. The closed form is ₂F₁ as its Euler integral (DLMF 15.6.1) with t = sin²θ, w = 1 − z
+/// sin²θ; geometrically, the mean over chords through the COR:
 ///   s ≤ 1, z = s²:    f = (4/π)(n+3/2)m₀ s ∫ cos²θ w^{n+½} dθ,  m = (2/π)m₀ ∫ w^{n+3/2} dθ,
 ///   s ≥ 1, z = s⁻²:   f = A ∫ cos^{2n+2}θ w^½ dθ,  A = 2Γ(n+2)/(√π Γ(n+3/2)),
 ///                     m = A'/(2(n+2)s) ∫ cos^{2n+4}θ w^{−½} dθ,  A' = A(n+2)/(n+3/2),
@@ -56,13 +56,16 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
   std::optional<UnitForces<Extended>> closed(Extended s, Slope slope) const noexcept override {
     return s <= 1 ? inside(s, slope) : outside(s, slope);
   }
-  UnitForces<double> forces(double s, Slope slope) const noexcept override { return s <= 1 ? inside(s, slope) : outside(s, slope); }
+  UnitForces<double> forces(double s, Slope slope) const noexcept override {
+    return s <= 1 ? inside(s, slope) : outside(s, slope);
+  }
 
  private:
   template <class Real>
   using Triple = std::array<Real, 3>;
 
-  /// w^exponent for w = 1 − below. A high power multiplies the rounding error of w, so it is computed from `below`, which has none.
+  /// w^exponent for w = 1 − below. A high power multiplies the rounding error of w, so it is computed from `below`,
+  /// which has none.
   template <class Real>
   static Real power_below_one(Real w, Real below, Real exponent) noexcept {
     constexpr Real high = 16;
@@ -86,7 +89,8 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
     // An integrand with a power −1 < 2n + 1 < 0 at the end, too steep for the quadrature: use its closed form.
     if (s == 1) integral.value[2] = static_cast<Real>(slope_at_rim_);
     const auto scale = static_cast<Real>(4 / pi * (n_ + 1.5L) * moment_ratio_);
-    return {scale * s * integral.value[0], static_cast<Real>(2 / pi * moment_ratio_) * integral.value[1], scale * integral.value[2]};
+    return {scale * s * integral.value[0], static_cast<Real>(2 / pi * moment_ratio_) * integral.value[1],
+            scale * integral.value[2]};
   }
 
   template <class Real>
@@ -136,7 +140,8 @@ Law make_named(std::string name, double n) {
 
 /// The member n with the name `name`, and with its elementary or elliptic closed form if there is one.
 Law member(std::string name, double n) {
-  if (n == -0.5) return make_named<closed_form::flat_punch<Extended>, closed_form::flat_punch<double>>(std::move(name), n);
+  if (n == -0.5)
+    return make_named<closed_form::flat_punch<Extended>, closed_form::flat_punch<double>>(std::move(name), n);
   if (n == 0.0) return make_named<closed_form::uniform<Extended>, closed_form::uniform<double>>(std::move(name), n);
   if (n == 0.5) return make_named<closed_form::hertz<Extended>, closed_form::hertz<double>>(std::move(name), n);
   if (n == 1.0) return make_named<closed_form::parabolic<Extended>, closed_form::parabolic<double>>(std::move(name), n);

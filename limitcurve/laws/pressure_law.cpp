@@ -17,14 +17,17 @@ Law checked(Law law) {
   if (!law) throw std::invalid_argument("law: none (a null pointer), expected a pressure law");
   const std::vector<Extended>& breaks = law->breaks();
   const auto refuse = [&](const char* what) { throw std::invalid_argument("law '" + law->name() + "': " + what); };
-  const auto falls = [](Extended one, Extended next) { return !(next > one && next <= std::numeric_limits<double>::max()); };
+  const auto falls = [](Extended one, Extended next) {
+    return !(next > one && next <= std::numeric_limits<double>::max());
+  };
   if (breaks.size() < 2 || breaks[0] != 0 || std::adjacent_find(breaks.begin(), breaks.end(), falls) != breaks.end()) {
     refuse("its breaks do not increase, expected radii from 0 to the end of the pressure");
   }
   const UnitForces<Extended> error = law->unrounded(1, Slope::unwanted).error;
   if (!(std::max(error.force, error.moment / breaks.back()) <= 1e-3L)) {
     refuse(
-        "quadrature of its pressure does not give the load 1, expected the integral of 2 rho g to be 1, and breaks at every kink, jump and "
+        "quadrature of its pressure does not give the load 1, expected the integral of 2 rho g to be 1, and breaks at "
+        "every kink, jump and "
         "singular ring");
   }
   return law;
@@ -47,7 +50,8 @@ Method method_of(const PressureLaw& law, std::string_view name) {
     if (to_string(method) == name) return method;
     has += (has.empty() ? "" : ", ") + std::string(to_string(method));
   }
-  throw std::invalid_argument("method '" + std::string(name) + "': law '" + law.name() + "' has no such method, expected one of " + has);
+  throw std::invalid_argument("method '" + std::string(name) + "': law '" + law.name() +
+                              "' has no such method, expected one of " + has);
 }
 
 namespace {
@@ -72,7 +76,8 @@ const std::vector<Extended>& PressureLaw::breaks() const noexcept {
 
 UnitForces<double> PressureLaw::forces(double s, Slope slope) const noexcept {
   if (const auto exact = closed(s, slope)) {
-    return {static_cast<double>(exact->force), static_cast<double>(exact->moment), static_cast<double>(exact->force_slope)};
+    return {static_cast<double>(exact->force), static_cast<double>(exact->moment),
+            static_cast<double>(exact->force_slope)};
   }
   return evaluators::ring(*this, s, slope).forces;
 }

@@ -21,7 +21,8 @@ class UniformWearLaw final : public PressureLawOf<UniformWearLaw> {
   /// Where the quadrature would leave out load at the centre, the first term is exact.
   std::optional<UnitForces<Extended>> closed(Extended s, Slope /*slope*/) const noexcept override {
     if (!(s <= 1e-20L)) return std::nullopt;
-    const Extended logarithm = std::numbers::ln2_v<Extended> - std::log(std::fmax(s, Extended(std::numeric_limits<double>::min()))) / 2;
+    const Extended logarithm =
+        std::numbers::ln2_v<Extended> - std::log(std::fmax(s, Extended(std::numeric_limits<double>::min()))) / 2;
     return UnitForces<Extended>{s * (logarithm + 0.25L), 0.5L, logarithm - 0.25L};
   }
 };

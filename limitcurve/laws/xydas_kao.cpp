@@ -15,18 +15,20 @@ namespace {
 Extended stirling_remainder(Extended x) {
   const Extended square = 1 / (x * x);
   Extended sum = Extended(1) / 156;
-  for (const Extended term : {-Extended(691) / 360360, Extended(1) / 1188, -Extended(1) / 1680, Extended(1) / 1260, -Extended(1) / 360}) {
+  for (const Extended term :
+       {-Extended(691) / 360360, Extended(1) / 1188, -Extended(1) / 1680, Extended(1) / 1260, -Extended(1) / 360}) {
     sum = sum * square + term;
   }
   return (sum * square + Extended(1) / 12) / x;
 }
 
-/// C_k = (3k/2)/B(1/k, 2/k). For small k, where B as a quotient of Γ loses two digits, with their leading terms summed by hand:
-/// a ln a + 2a ln 2a − 3a ln 3a = −a ln(27/4), a = 1/k.
+/// C_k = (3k/2)/B(1/k, 2/k). For small k, where B as a quotient of Γ loses two digits, with their leading terms summed
+/// by hand: a ln a + 2a ln 2a − 3a ln 3a = −a ln(27/4), a = 1/k.
 Extended scale_of(Extended k) {
   const Extended a = 1 / k;
   if (a < 16) return 1.5 * k / boost::math::beta(a, 2 * a);
-  const Extended power = std::pow(Extended(6.75), a) * (1 + std::log(Extended(6.75)) * std::fma(-a, k, Extended(1)) * a);  // 1/k is not a
+  const Extended power =
+      std::pow(Extended(6.75), a) * (1 + std::log(Extended(6.75)) * std::fma(-a, k, Extended(1)) * a);  // 1/k is not a
   const Extended rest = stirling_remainder(3 * a) - stirling_remainder(a) - stirling_remainder(2 * a);
   return 1.5 * power * std::exp(rest) / std::sqrt(3 * std::numbers::pi_v<Extended> * a);
 }
@@ -46,7 +48,8 @@ class XydasKaoLaw final : public PressureLawOf<XydasKaoLaw> {
   Real pressure(RadialPosition<Real> at) const noexcept {
     // Compute 1 − ρᵏ from the distance that is exact here: from the rim, or from the centre.
     const Real log_radius = at.rim < at.radius ? std::log1p(-at.rim) : std::log(at.radius);
-    return static_cast<Real>(scale_) * std::pow(-std::expm1(static_cast<Real>(k_) * log_radius), static_cast<Real>(1 / k_));
+    return static_cast<Real>(scale_) *
+           std::pow(-std::expm1(static_cast<Real>(k_) * log_radius), static_cast<Real>(1 / k_));
   }
 
  private:

@@ -39,8 +39,10 @@ std::size_t CubicPieces::add_interval(std::size_t begin, std::size_t end) {
   return index;
 }
 
-std::array<CubicPieces::Mass, CubicPieces::order> CubicPieces::gauss_rule(const std::vector<Mass>& masses, Extended middle, Extended half) {
-  // The polynomials p_k that are orthogonal under the masses, p_(k+1) = (x − a_k) p_k − b_k p_(k−1) (Stieltjes), x from −1 to 1.
+std::array<CubicPieces::Mass, CubicPieces::order> CubicPieces::gauss_rule(const std::vector<Mass>& masses,
+                                                                          Extended middle, Extended half) {
+  // The polynomials p_k that are orthogonal under the masses, p_(k+1) = (x − a_k) p_k − b_k p_(k−1) (Stieltjes), x from
+  // −1 to 1.
   std::array<Extended, order> a{};
   std::array<Extended, order> b{};
   std::array<Extended, order> norm{};
@@ -62,8 +64,8 @@ std::array<CubicPieces::Mass, CubicPieces::order> CubicPieces::gauss_rule(const 
       std::swap(before[i], p[i]);
     }
   }
-  // The nodes are the roots of the last polynomial: Newton's method from the right, with the roots already found divided out. The masses are
-  // Christoffel's numbers, 1/Σ p_k²/norm_k.
+  // The nodes are the roots of the last polynomial: Newton's method from the right, with the roots already found
+  // divided out. The masses are Christoffel's numbers, 1/Σ p_k²/norm_k.
   std::array<Mass, order> rule;
   std::array<Extended, order> roots{};
   for (std::size_t found = 0; found < order; ++found) {
@@ -97,8 +99,8 @@ namespace {
 template <class Real>
 Quadrature<Real> ring_in(const CubicPieces& pressure, Real s, Slope slope) noexcept {
   if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
-  const auto [value, error, wavering] =
-      pressure.integrate(s, slope == Slope::wanted ? 3 : 2, [&](Real rho, Real from_cor) { return ring_kernel(rho, s, from_cor); });
+  const auto [value, error, wavering] = pressure.integrate(
+      s, slope == Slope::wanted ? 3 : 2, [&](Real rho, Real from_cor) { return ring_kernel(rho, s, from_cor); });
   return {{value[0], value[1], value[2]}, {error[0], error[1], error[2]}};
 }
 
@@ -112,7 +114,8 @@ Quadrature<double> ring(const CubicPieces& pressure, double s, Slope slope) noex
 }
 
 Quadrature<double> line_profile(const CubicPieces& pressure, double t) noexcept {
-  const auto [value, error, wavering] = pressure.integrate(t, 2, [&](double rho, double from_t) { return line_kernel(rho, t, from_t); });
+  const auto [value, error, wavering] =
+      pressure.integrate(t, 2, [&](double rho, double from_t) { return line_kernel(rho, t, from_t); });
   return {{value[0], value[1], 0.0}, {error[0], error[1], 0.0}};
 }
 

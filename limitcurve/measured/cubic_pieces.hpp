@@ -15,13 +15,14 @@
 
 namespace limitcurve {
 
-/// A pressure g(ρ) of many cubic pieces, prepared for integrals ∫ K(ρ, s) 2ρ g dρ in a time that grows like the logarithm of their number. K is a
-/// kernel of eq. (17), analytic but for its singularities at ρ = ±s.
+/// A pressure g(ρ) of many cubic pieces, prepared for integrals ∫ K(ρ, s) 2ρ g dρ in a time that grows like the
+/// logarithm of their number. K is a kernel of eq. (17), analytic but for its singularities at ρ = ±s.
 ///
-/// Pieces are joined two by two into a binary tree of intervals. Each interval has the Gauss rule of its own mass 2ρ g dρ, made from those of its
-/// halves. It replaces the interval where s is at least its width away: there K is analytic within 3 half-widths, and the error of the rule
-/// is 5.8^(−2n), 4e-19 of the interval's integral. Greengard & Rokhlin, J. Comput. Phys. 73 (1987), have the idea; Gautschi, "Orthogonal Polynomials"
-/// (2004), §2.2, the rule of a sum of masses.
+/// Pieces are joined two by two into a binary tree of intervals. Each interval has the Gauss rule of its own mass 2ρ g
+/// dρ, made from those of its halves. It replaces the interval where s is at least its width away: there K is analytic
+/// within 3 half-widths, and the error of the rule is 5.8^(−2n), 4e-19 of the interval's integral. Greengard & Rokhlin,
+/// J. Comput. Phys. 73 (1987), have the idea; Gautschi, "Orthogonal Polynomials" (2004), §2.2, the rule of a sum of
+/// masses.
 class CubicPieces {
  public:
   /// g = value + t(slope + t(square + t·cube)) on [left, left + width], t the distance from the left end.
@@ -36,8 +37,8 @@ class CubicPieces {
     template <class Real>
     [[nodiscard]] Real operator()(Real radius) const noexcept {
       const Real t = std::clamp<Real>(radius - static_cast<Real>(left), 0, static_cast<Real>(width));
-      const Real g =
-          static_cast<Real>(value) + t * (static_cast<Real>(slope) + t * (static_cast<Real>(square) + t * static_cast<Real>(cube)));
+      const Real g = static_cast<Real>(value) +
+                     t * (static_cast<Real>(slope) + t * (static_cast<Real>(square) + t * static_cast<Real>(cube)));
       // A cubic that ends at 0 may be negative by rounding.
       return std::max<Real>(g, 0);
     }
@@ -55,9 +56,9 @@ class CubicPieces {
     return (*(after - 1))(radius);
   }
 
-  /// ∫ 2ρ g K dρ of the first `wanted` components of `kernel(ρ, |ρ − s|)`, an array of three numbers. The singularities of K at ρ = s are not stronger
-  /// than a logarithm or a root. Truncation ≤ 1e-18 of the integral, or the stated error, which comes from tanh–sinh on pieces next to the
-  /// centre.
+  /// ∫ 2ρ g K dρ of the first `wanted` components of `kernel(ρ, |ρ − s|)`, an array of three numbers. The singularities
+  /// of K at ρ = s are not stronger than a logarithm or a root. Truncation ≤ 1e-18 of the integral, or the stated
+  /// error, which comes from tanh–sinh on pieces next to the centre.
   template <class Real, class Kernel>
   [[nodiscard]] Integrals<3, Real> integrate(Real s, std::size_t wanted, const Kernel& kernel) const noexcept {
     Integrals<3, Real> sum;
@@ -103,7 +104,8 @@ class CubicPieces {
     Extended mass;
   };
   static constexpr std::size_t order = 12;
-  /// An interval, followed by those of its two halves down to single pieces; `next` is the first that is not part of it.
+  /// An interval, followed by those of its two halves down to single pieces; `next` is the first that is not part of
+  /// it.
   struct Interval {
     Extended left;
     Extended right;
@@ -114,11 +116,14 @@ class CubicPieces {
 
   /// Adds the interval of the pieces [begin, end) and its parts; returns its index.
   std::size_t add_interval(std::size_t begin, std::size_t end);
-  [[nodiscard]] static std::array<Mass, order> gauss_rule(const std::vector<Mass>& masses, Extended middle, Extended half);
+  [[nodiscard]] static std::array<Mass, order> gauss_rule(const std::vector<Mass>& masses, Extended middle,
+                                                          Extended half);
 
-  /// [from, to] with s at an end or outside, by Gauss–Legendre in σ^(1/6), σ = |ρ − s|: a factor σ^α log σ becomes smooth.
+  /// [from, to] with s at an end or outside, by Gauss–Legendre in σ^(1/6), σ = |ρ − s|: a factor σ^α log σ becomes
+  /// smooth.
   template <class Real, class Kernel, class Add>
-  static void integrate_beside(const Piece& piece, Real s, Real from, Real to, const Kernel& kernel, const Add& add) noexcept {
+  static void integrate_beside(const Piece& piece, Real s, Real from, Real to, const Kernel& kernel,
+                               const Add& add) noexcept {
     using Rule = boost::math::quadrature::gauss<Real, 30>;
     const bool above = s <= from;
     const auto root = [](Real sigma) { return std::cbrt(std::sqrt(sigma)); };
@@ -130,7 +135,8 @@ class CubicPieces {
         const Real cube = u * u * u;
         const Real sigma = cube * cube;
         const Real radius = above ? s + sigma : s - sigma;
-        add(kernel(radius, sigma), Rule::weights()[i] * (far - near) / 2 * 6 * cube * u * u * 2 * radius * piece(radius));
+        add(kernel(radius, sigma),
+            Rule::weights()[i] * (far - near) / 2 * 6 * cube * u * u * 2 * radius * piece(radius));
       }
     }
   }

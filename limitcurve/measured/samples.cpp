@@ -17,8 +17,8 @@ namespace {
 
 using Piece = CubicPieces::Piece;
 
-/// Monotone cubic through samples of increasing radius: slopes by the weighted harmonic mean of the neighbouring chords,
-/// zero where they change sign (Fritsch and Butland 1984); one-sided at the ends, limited alike.
+/// Monotone cubic through samples of increasing radius: slopes by the weighted harmonic mean of the neighbouring
+/// chords, zero where they change sign (Fritsch and Butland 1984); one-sided at the ends, limited alike.
 class MonotoneCubic {
  public:
   explicit MonotoneCubic(std::span<const PressureSample> run) : run_(run) {}
@@ -57,8 +57,8 @@ class MonotoneCubic {
     return (weight_before + weight_after) / (weight_before / before + weight_after / after);
   }
 
-  /// Slope of the parabola through three points, limited so that the cubic does not overshoot: the sign of the chord, at most three times
-  /// its size.
+  /// Slope of the parabola through three points, limited so that the cubic does not overshoot: the sign of the chord,
+  /// at most three times its size.
   static Extended end_slope(Extended chord, Extended next, Extended width, Extended next_width) {
     const Extended slope = ((2 * width + next_width) * chord - width * next) / (width + next_width);
     if (!(slope * chord > 0)) return 0;
@@ -68,8 +68,9 @@ class MonotoneCubic {
   std::span<const PressureSample> run_;
 };
 
-/// A measured profile as cubics that carry the unit load, its radii in units of `rim`. If that is `named`, a sample without pressure divides
-/// the profile like a jump: then what is beyond it does not change the slope before it, however little it is.
+/// A measured profile as cubics that carry the unit load, its radii in units of `rim`. If that is `named`, a sample
+/// without pressure divides the profile like a jump: then what is beyond it does not change the slope before it,
+/// however little it is.
 CubicPieces cubics(std::span<const PressureSample> profile, std::string_view source, double rim, bool named) {
   std::vector<PressureSample> scaled;
   for (const PressureSample& sample : profile) scaled.push_back({sample.radius / rim, sample.pressure});
@@ -86,7 +87,8 @@ CubicPieces cubics(std::span<const PressureSample> profile, std::string_view sou
     begin = end < scaled.size() && scaled[end].radius == scaled[end - 1].radius ? end : end - 1;
   }
   // Without pressure up to the rim.
-  if (scaled.back().radius < 1.0) pieces.push_back({scaled.back().radius, 1 - Extended(scaled.back().radius), 0, 0, 0, 0});
+  if (scaled.back().radius < 1.0)
+    pieces.push_back({scaled.back().radius, 1 - Extended(scaled.back().radius), 0, 0, 0, 0});
   // ∫ 2ρ p dρ of a cubic, piece by piece: exact.
   Extended load = 0;
   for (const Piece& p : pieces) {
@@ -96,7 +98,8 @@ CubicPieces cubics(std::span<const PressureSample> profile, std::string_view sou
     load += 2 * (p.left * zeroth + first);
   }
   if (!(load > 0))
-    throw std::invalid_argument("profile '" + std::string(source) + "' has no pressure: expected one > 0 away from the centre");
+    throw std::invalid_argument("profile '" + std::string(source) +
+                                "' has no pressure: expected one > 0 away from the centre");
   for (Piece& p : pieces) {
     for (Extended* coefficient : {&p.value, &p.slope, &p.square, &p.cube}) *coefficient /= load;
   }
@@ -112,18 +115,21 @@ std::vector<std::size_t> places_of_samples(std::span<const PressureSample> rows)
   return places;
 }
 
-/// The profile with an estimate of its interpolation error, from the change of the wrench if samples are left out (`coarser`). Let Λ(ρ) be the
-/// load within ρ, Λ′ that of the samples that stay, and K(ρ) the force or the moment of a ring of load 1, which is monotone: then the change
-/// is ∫ (Λ − Λ′) dK. In cells between radii ρᵢ, with Dᵢ a safety factor times the largest change in the cell and its neighbours, but ≤ 1:
+/// The profile with an estimate of its interpolation error, from the change of the wrench if samples are left out
+/// (`coarser`). Let Λ(ρ) be the load within ρ, Λ′ that of the samples that stay, and K(ρ) the force or the moment of a
+/// ring of load 1, which is monotone: then the change is ∫ (Λ − Λ′) dK. In cells between radii ρᵢ, with Dᵢ a safety
+/// factor times the largest change in the cell and its neighbours, but ≤ 1:
 ///   |Δf| ≤ min(Σ Dᵢ (K_f(ρᵢ) − K_f(ρᵢ₊₁)), s ∫ 2|g − g′| dρ),  |Δm| ≤ Σ Dᵢ (K_m(ρᵢ₊₁) − K_m(ρᵢ)).
-/// This is 0 for pure sliding, and never more than profiles on the disc can differ. The difference of both wrenches would be no estimate: it
-/// changes sign, and is 0 at some s. The largest change is that of |Λ − Λ′| and of √((1 − Λ)² Σ_in δⱼ² + Λ² Σ_out δⱼ²), δⱼ the change of the
-/// load of the gap j: Λ − Λ′ sums them with signs, (1 − Λ) Σ_in δⱼ − Λ Σ_out δⱼ, and if they happen to cancel, then errors of other orders
-/// do not; of independent signs the sum is about the root of the squares.
+/// This is 0 for pure sliding, and never more than profiles on the disc can differ. The difference of both wrenches
+/// would be no estimate: it changes sign, and is 0 at some s. The largest change is that of |Λ − Λ′| and of √((1 − Λ)²
+/// Σ_in δⱼ² + Λ² Σ_out δⱼ²), δⱼ the change of the load of the gap j: Λ − Λ′ sums them with signs, (1 − Λ) Σ_in δⱼ − Λ
+/// Σ_out δⱼ, and if they happen to cancel, then errors of other orders do not; of independent signs the sum is about
+/// the root of the squares.
 class SamplesLaw final : public PressureLawOf<SamplesLaw> {
  public:
   /// `named_rim` 0: the last radius is the rim. `notes` are remarks on the data.
-  SamplesLaw(std::span<const PressureSample> profile, std::string_view source, double named_rim, std::vector<std::string> notes)
+  SamplesLaw(std::span<const PressureSample> profile, std::string_view source, double named_rim,
+             std::vector<std::string> notes)
       : source_(source),
         named_rim_(named_rim),
         rim_(named_rim > 0.0 ? named_rim : profile.back().radius),
@@ -134,12 +140,15 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     breaks_.push_back(named_rim > 0.0 ? pieces_.pieces().back().left + pieces_.pieces().back().width : 1);
     double highest = 0.0;
     for (const PressureSample& sample : profile) highest = std::max(highest, sample.pressure);
-    // If gaps double, an error of order p changes by 2ᵖ − 1 times itself: p ≥ 1, but 1/2 if the pressure is unbounded at the rim.
+    // If gaps double, an error of order p changes by 2ᵖ − 1 times itself: p ≥ 1, but 1/2 if the pressure is unbounded
+    // at the rim.
     const bool high_rim = profile.back().pressure > 0.5 * highest;
     const double safety = high_rim ? 6.0 : 3.0;
-    const CubicPieces coarse = cubics(coarser(profile, high_rim ? 1.0 / 6.0 : 1.0 / 3.0), source, rim_, named_rim > 0.0);
+    const CubicPieces coarse =
+        cubics(coarser(profile, high_rim ? 1.0 / 6.0 : 1.0 / 3.0), source, rim_, named_rim > 0.0);
     constexpr std::size_t most_cells = 64;
-    const std::size_t pieces = breaks_.size() - (profile.back().radius < rim_ ? 2 : 1);  // without the last, which is empty
+    const std::size_t pieces =
+        breaks_.size() - (profile.back().radius < rim_ ? 2 : 1);  // without the last, which is empty
     const std::size_t pieces_per_cell = (pieces + most_cells - 1) / most_cells;
     struct Within {
       double load;     ///< Λ at the outer end of a piece
@@ -180,23 +189,29 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     for (std::size_t i = 0; i < pieces; ++i) {
       if (i % pieces_per_cell == 0) largest.push_back(0.0);
       const auto [inside, squares_inside, change] = within[i];
-      const double by_chance = std::sqrt((1.0 - inside) * (1.0 - inside) * squares_inside + inside * inside * (squares - squares_inside));
+      const double by_chance =
+          std::sqrt((1.0 - inside) * (1.0 - inside) * squares_inside + inside * inside * (squares - squares_inside));
       largest.back() = std::max({largest.back(), change, by_chance});
       if ((i + 1) % pieces_per_cell == 0 || i + 1 == pieces) edges_.push_back(static_cast<double>(breaks_[i + 1]));
     }
     largest.push_back(0.0);
     // Λ − Λ′ passes through 0: neighbours count, too.
     for (std::size_t i = 0; i < edges_.size(); ++i)
-      differences_.push_back(std::min(1.0, safety * std::max({largest[i > 0 ? i - 1 : 0], largest[i], largest[i + 1]})));
+      differences_.push_back(
+          std::min(1.0, safety * std::max({largest[i > 0 ? i - 1 : 0], largest[i], largest[i + 1]})));
   }
 
-  std::string name() const override { return "samples:" + source_ + (named_rim_ > 0.0 ? ",rim=" + format_number(named_rim_) : ""); }
+  std::string name() const override {
+    return "samples:" + source_ + (named_rim_ > 0.0 ? ",rim=" + format_number(named_rim_) : "");
+  }
   double rim() const noexcept override { return rim_; }
   [[nodiscard]] Law with_own_radii() const {
-    return std::make_shared<SamplesLaw>(profile_, source_, named_rim_ > 0.0 ? named_rim_ : profile_.back().radius, notes_);
+    return std::make_shared<SamplesLaw>(profile_, source_, named_rim_ > 0.0 ? named_rim_ : profile_.back().radius,
+                                        notes_);
   }
   std::vector<std::string> remarks() const override {
-    constexpr double least_moment_ratio = 0.45;  // Hertz 0.59, a Gaussian of sigma 0.4 0.47; noise and offsets beyond the contact less
+    constexpr double least_moment_ratio =
+        0.45;  // Hertz 0.59, a Gaussian of sigma 0.4 0.47; noise and offsets beyond the contact less
     std::vector<std::string> lines = notes_;
     const double ratio = moment_ratio();
     if (named_rim_ == 0.0 && ratio < least_moment_ratio) {
@@ -207,8 +222,8 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     const auto [load, moment] = beyond_rim();
     if (load > 0.0) {
       lines.push_back("note: " + source_ + ": " + format_number(100.0 * load, 2) + " % of the load and " +
-                      format_number(100.0 * moment / ratio, 2) +
-                      " % of the moment of a pure twist lie beyond rim=" + format_number(named_rim_) + ": an offset of the sensor?");
+                      format_number(100.0 * moment / ratio, 2) + " % of the moment of a pure twist lie beyond rim=" +
+                      format_number(named_rim_) + ": an offset of the sensor?");
     }
     return lines;
   }
@@ -219,13 +234,17 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     return pieces_(at.radius);
   }
 
-  UnitForces<double> forces(double s, Slope slope) const noexcept override { return evaluators::ring(pieces_, s, slope).forces; }
-  Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override { return evaluators::ring(pieces_, s, slope); }
+  UnitForces<double> forces(double s, Slope slope) const noexcept override {
+    return evaluators::ring(pieces_, s, slope).forces;
+  }
+  Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override {
+    return evaluators::ring(pieces_, s, slope);
+  }
   Quadrature<double> line_profile(double t) const noexcept override { return evaluators::line_profile(pieces_, t); }
   WrenchEstimate evaluate(double s, Method method) const noexcept override {
     s = std::fabs(s);
-    WrenchEstimate estimate =
-        method == Method::automatic ? evaluators::rounded(unrounded(s, Slope::wanted)) : PressureLaw::evaluate(s, method);
+    WrenchEstimate estimate = method == Method::automatic ? evaluators::rounded(unrounded(s, Slope::wanted))
+                                                          : PressureLaw::evaluate(s, method);
     double force = 0.0;
     double moment = 0.0;
     UnitWrench before{1.0, 0.0};
@@ -261,12 +280,13 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     return sum;
   }
 
-  /// The profile with samples left out, so that each gap is about twice as wide as the widest gap of the profile within it, or wider: of even
-  /// radii every other sample. A narrow gap beside a wide one tells nothing about it. The ends of each run between jumps stay; gaps are merged from
-  /// the run's outer end, and what is left at its inner end joins the last. A run with a gap wider than the share `widest_share` of it has too
-  /// little to compare with (if the pressure may be unbounded at the rim, a sixth: a wide last gap between a nearly constant pressure and a
-  /// high one is much the same twice as wide): each gap becomes constant at its higher pressure, as far from it as any profile that does not
-  /// overshoot.
+  /// The profile with samples left out, so that each gap is about twice as wide as the widest gap of the profile within
+  /// it, or wider: of even radii every other sample. A narrow gap beside a wide one tells nothing about it. The ends of
+  /// each run between jumps stay; gaps are merged from the run's outer end, and what is left at its inner end joins the
+  /// last. A run with a gap wider than the share `widest_share` of it has too little to compare with (if the pressure
+  /// may be unbounded at the rim, a sixth: a wide last gap between a nearly constant pressure and a high one is much
+  /// the same twice as wide): each gap becomes constant at its higher pressure, as far from it as any profile that does
+  /// not overshoot.
   static std::vector<PressureSample> coarser(std::span<const PressureSample> profile, double widest_share) {
     constexpr double about_twice = 1.8;
     constexpr double rounding = 1e-9;  // of radii that are meant to be even
@@ -322,18 +342,21 @@ Law samples(std::span<const PressureSample> rows, std::string_view source, doubl
   std::vector<PressureSample> profile;
   for (const std::size_t place : places) profile.push_back(rows[place]);
   const auto refuse = [&](std::size_t i, const std::string& what) {
-    return std::invalid_argument("profile '" + std::string(source) + "', sample " + std::to_string(places[i] + 1) + " (radius " +
-                                 format_number(profile[i].radius) + ", pressure " + format_number(profile[i].pressure) + "): " + what);
+    return std::invalid_argument("profile '" + std::string(source) + "', sample " + std::to_string(places[i] + 1) +
+                                 " (radius " + format_number(profile[i].radius) + ", pressure " +
+                                 format_number(profile[i].pressure) + "): " + what);
   };
   if (profile.size() < 4) {
     throw std::invalid_argument("profile '" + std::string(source) + "' has " + std::to_string(profile.size()) +
                                 " samples: expected at least 4");
   }
   for (std::size_t i = 0; i < profile.size(); ++i) {
-    if (!std::isfinite(profile[i].radius) || !std::isfinite(profile[i].pressure)) throw refuse(i, "expected finite numbers");
+    if (!std::isfinite(profile[i].radius) || !std::isfinite(profile[i].pressure))
+      throw refuse(i, "expected finite numbers");
     if (profile[i].radius < 0.0) throw refuse(i, "expected a radius >= 0");
     if (i > 0 && profile[i].radius < profile[i - 1].radius) throw refuse(i, "expected radii that do not decrease");
-    if (i > 1 && profile[i].radius == profile[i - 2].radius) throw refuse(i, "expected at most two pressures at one radius");
+    if (i > 1 && profile[i].radius == profile[i - 2].radius)
+      throw refuse(i, "expected at most two pressures at one radius");
   }
   // For a smaller gap the coefficients of the cubic may overflow.
   const double least_gap = 1e-9 * profile.back().radius;
@@ -342,18 +365,21 @@ Law samples(std::span<const PressureSample> rows, std::string_view source, doubl
     if (gap > 0.0 && gap < least_gap)
       throw refuse(i, "expected a radius equal to the one before, or larger by at least 1e-9 of the last radius");
   }
-  if (!(profile.back().radius > profile.front().radius)) throw refuse(profile.size() - 1, "expected a last radius > the first");
+  if (!(profile.back().radius > profile.front().radius))
+    throw refuse(profile.size() - 1, "expected a last radius > the first");
   if (profile[profile.size() - 2].radius == profile.back().radius)
     throw refuse(profile.size() - 1, "a jump at the last radius, expected one pressure there");
   if (rim != 0.0 && !(rim >= 1e-3 * profile.back().radius && rim <= 1e3 * profile.back().radius)) {
     throw std::invalid_argument("profile '" + std::string(source) + "': got rim = " + format_number(rim) +
-                                ", expected a radius > 0 in the unit of the file, whose last is " + format_number(profile.back().radius));
+                                ", expected a radius > 0 in the unit of the file, whose last is " +
+                                format_number(profile.back().radius));
   }
   std::vector<double> pressures;
   std::vector<double> areas;
   for (std::size_t i = 0; i < profile.size(); ++i) {
     pressures.push_back(profile[i].pressure);
-    areas.push_back(profile[i].radius * (profile[std::min(i + 1, profile.size() - 1)].radius - profile[i > 0 ? i - 1 : 0].radius));
+    areas.push_back(profile[i].radius *
+                    (profile[std::min(i + 1, profile.size() - 1)].radius - profile[i > 0 ? i - 1 : 0].radius));
   }
   constexpr std::size_t enough = 7;
   std::vector<std::string> notes;
@@ -361,13 +387,15 @@ Law samples(std::span<const PressureSample> rows, std::string_view source, doubl
     notes.push_back("note: " + std::string(source) + ": " + std::to_string(profile.size()) +
                     " samples are too few to estimate the error between them; expected 7 or more");
   }
-  const SignedNoise noise = remove_noise(
-      pressures, areas, [&](std::size_t i) { return "profile '" + std::string(source) + "', sample " + std::to_string(places[i] + 1); });
+  const SignedNoise noise = remove_noise(pressures, areas, [&](std::size_t i) {
+    return "profile '" + std::string(source) + "', sample " + std::to_string(places[i] + 1);
+  });
   if (noise.zeroed > 0) notes.push_back("note: " + std::string(source) + ": " + noise.text());
   for (std::size_t i = 0; i < profile.size(); ++i) profile[i].pressure = pressures[i];
   // The contact ends where its pressure does: a sensor's line goes on.
   const auto inner = [&]() -> const PressureSample& { return profile[profile.size() - 2]; };
-  while (profile.back().pressure <= 0.0 && inner().pressure <= 0.0 && inner().radius > profile.front().radius) profile.pop_back();
+  while (profile.back().pressure <= 0.0 && inner().pressure <= 0.0 && inner().radius > profile.front().radius)
+    profile.pop_back();
   if (profile.back().radius == inner().radius) profile.pop_back();
   return std::make_shared<SamplesLaw>(profile, source, rim, std::move(notes));
 }

@@ -27,7 +27,8 @@ constexpr std::size_t directions = 128;
 constexpr std::size_t distances = 121;
 constexpr double decades = 3.0;  ///< of distances, either way
 
-/// The COR of a twist: its direction, and the logarithm (base 10) of its distance in `length_`. ±∞ is pure sliding and pure spin.
+/// The COR of a twist: its direction, and the logarithm (base 10) of its distance in `length_`. ±∞ is pure sliding and
+/// pure spin.
 struct Cor {
   double direction;
   double exponent;
@@ -42,8 +43,10 @@ struct Model {
 
 class Comparison {
  public:
-  explicit Comparison(const Patch& patch) : patch_(patch), m0_(patch.moment_ratio()), factor_(disc_factor(patch)), length_(m0_ / factor_) {
-    if (!(m0_ > 0.0)) throw std::invalid_argument("all load of the patch is on one point, expected a patch that resists a turn");
+  explicit Comparison(const Patch& patch)
+      : patch_(patch), m0_(patch.moment_ratio()), factor_(disc_factor(patch)), length_(m0_ / factor_) {
+    if (!(m0_ > 0.0))
+      throw std::invalid_argument("all load of the patch is on one point, expected a patch that resists a turn");
     for (std::size_t i = 0; i < distances; ++i) {
       for (std::size_t j = 0; j < directions; ++j) {
         grid_.push_back(cor_at(i, j));
@@ -109,7 +112,8 @@ class Comparison {
     return error;
   }
 
-  /// `fraction(slide, spin)`: force and moment of a shape as fractions of their limits, for the speeds |(mx v_x, my v_y)| and m₀|ω|.
+  /// `fraction(slide, spin)`: force and moment of a shape as fractions of their limits, for the speeds |(mx v_x, my
+  /// v_y)| and m₀|ω|.
   [[nodiscard]] EngineShape shape(const char* name, UnitWrench (*fraction)(double slide, double spin)) const {
     const auto [mx, my] = patch_.factors();
     const auto speed = [mx = mx, my = my](const PatchTwist& twist) { return std::hypot(mx * twist.vx, my * twist.vy); };
@@ -124,8 +128,8 @@ class Comparison {
     const auto compare = [&, mx = mx, my = my](const PatchTwist& twist, const PatchWrench& wrench) {
       const UnitWrench share = of(twist);
       const double along = share.force / speed(twist);
-      const double apart =
-          std::hypot(along * mx * twist.vx - wrench.fx / mx, along * my * twist.vy - wrench.fy / my, share.moment - wrench.moment / m0_);
+      const double apart = std::hypot(along * mx * twist.vx - wrench.fx / mx, along * my * twist.vy - wrench.fy / my,
+                                      share.moment - wrench.moment / m0_);
       result.max_wrench_error = std::max(result.max_wrench_error, apart);
     };
     for (std::size_t i = 0; i < grid_.size(); ++i) compare(twist_at(grid_[i]), wrench_[i]);
@@ -141,8 +145,8 @@ class Comparison {
     return result;
   }
 
-  /// The radius of the disc of this law with the smallest largest error on the grid, and that error. Power grows with the radius:
-  /// bisection.
+  /// The radius of the disc of this law with the smallest largest error on the grid, and that error. Power grows with
+  /// the radius: bisection.
   [[nodiscard]] std::pair<double, double> best_radius(const PressureLaw& law) const {
     const auto over_and_under = [&](double a) {
       double over = a * law.moment_ratio() / length_;  // pure spin
@@ -150,8 +154,9 @@ class Comparison {
       for (std::size_t i = 0; i < distances; ++i) {
         const PatchTwist twist = twist_at(grid_[i * directions]);
         const double disc = disc_power(law, a, twist, factor_);
-        const auto [low, high] = std::minmax_element(power_.begin() + static_cast<std::ptrdiff_t>(i * directions),
-                                                     power_.begin() + static_cast<std::ptrdiff_t>((i + 1) * directions));
+        const auto [low, high] =
+            std::minmax_element(power_.begin() + static_cast<std::ptrdiff_t>(i * directions),
+                                power_.begin() + static_cast<std::ptrdiff_t>((i + 1) * directions));
         over = std::max(over, disc / *low);
         under = std::min(under, disc / *high);
       }
@@ -195,11 +200,13 @@ class Comparison {
   /// The largest value near a grid point: steps to the sides, halved when none is better.
   template <class Function>
   [[nodiscard]] static double climb(Cor at, double value, const Function& function) {
-    Cor step{2.0 * std::numbers::pi / static_cast<double>(directions), 2.0 * decades / static_cast<double>(distances - 1)};
+    Cor step{2.0 * std::numbers::pi / static_cast<double>(directions),
+             2.0 * decades / static_cast<double>(distances - 1)};
     for (int halvings = 0; halvings < 24;) {
       bool better = false;
-      for (const Cor& other : {Cor{at.direction + step.direction, at.exponent}, Cor{at.direction - step.direction, at.exponent},
-                               Cor{at.direction, at.exponent + step.exponent}, Cor{at.direction, at.exponent - step.exponent}}) {
+      for (const Cor& other :
+           {Cor{at.direction + step.direction, at.exponent}, Cor{at.direction - step.direction, at.exponent},
+            Cor{at.direction, at.exponent + step.exponent}, Cor{at.direction, at.exponent - step.exponent}}) {
         const double there = function(other);
         if (!(there > value)) continue;
         value = there;
@@ -259,19 +266,25 @@ double cor_distance(const Curve& curve, double a, const PatchWrench& wrench) {
 }
 
 Model disc(const Law& law, double a, double factor) {
-  const auto power = [law, a, factor](const PatchTwist& twist) { return Comparison::disc_power(*law, a, twist, factor); };
+  const auto power = [law, a, factor](const PatchTwist& twist) {
+    return Comparison::disc_power(*law, a, twist, factor);
+  };
   if (law->allows(Method::closed)) {
     return {power, [exact = ExactCurve(law), a](const PatchWrench& wrench) { return cor_distance(exact, a, wrench); }};
   }
   constexpr double tolerance = 1e-9;
-  return {power, [table = Table::build(law, tolerance), a](const PatchWrench& wrench) { return cor_distance(table, a, wrench); }};
+  return {power, [table = Table::build(law, tolerance), a](const PatchWrench& wrench) {
+            return cor_distance(table, a, wrench);
+          }};
 }
 
 Model ellipsoid(const Patch& patch) {
   const auto [mx, my] = patch.factors();
   const double m0 = patch.moment_ratio();
   // The normal at the wrench (F, M) is (F_x/mx², F_y/my², M/m₀²).
-  return {[mx = mx, my = my, m0](const PatchTwist& twist) { return std::hypot(mx * twist.vx, my * twist.vy, m0 * twist.omega); },
+  return {[mx = mx, my = my, m0](const PatchTwist& twist) {
+            return std::hypot(mx * twist.vx, my * twist.vy, m0 * twist.omega);
+          },
           [mx = mx, my = my, m0](const PatchWrench& wrench) {
             return std::hypot(wrench.fx / (mx * mx), wrench.fy / (my * my)) / std::fabs(wrench.moment) * m0 * m0;
           },
@@ -348,12 +361,14 @@ std::vector<EngineShape> engine_shapes(const Patch& patch) {
 }
 
 std::vector<Candidate> choose(const Patch& patch, double tolerance) {
-  if (!(tolerance >= 1e-10 && tolerance <= 1.0)) throw out_of_range("tolerance", tolerance, "1", "1e-10 <= tolerance <= 1");
+  if (!(tolerance >= 1e-10 && tolerance <= 1.0))
+    throw out_of_range("tolerance", tolerance, "1", "1e-10 <= tolerance <= 1");
   const Comparison comparison(patch);
   const DiscModel round = best_disc(comparison);
   std::vector<Candidate> candidates{
       {round.name, round.parameter, round.error.max_error, shipped_costs::of("table").wrench},
-      {"ellipsoid", patch.moment_ratio(), comparison.error(ellipsoid(patch)).max_error, shipped_costs::of("ellipse").wrench},
+      {"ellipsoid", patch.moment_ratio(), comparison.error(ellipsoid(patch)).max_error,
+       shipped_costs::of("ellipse").wrench},
       {"patch", std::numeric_limits<double>::quiet_NaN(), 0.0, patch.nanoseconds()}};
   choose_cheapest(candidates, tolerance);
   return candidates;

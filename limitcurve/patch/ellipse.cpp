@@ -16,8 +16,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Quadrature on [−1, 1], its positive half: Gauss–Legendre after the substitution x → (3x − x³)/2, which makes square roots at both ends
-/// analytic.
+/// Quadrature on [−1, 1], its positive half: Gauss–Legendre after the substitution x → (3x − x³)/2, which makes square
+/// roots at both ends analytic.
 constexpr std::size_t most_nodes = 20;
 struct PanelRule {
   std::vector<double> place;
@@ -44,10 +44,10 @@ void check_aspect(double a, double b) {
 
 /// With D(c) = ¼ ∮ h G(c·u/h) dθ over unit vectors u(θ), h² = a²cos²θ + b²sin²θ the ellipse's half width along u:
 ///   ∇D = ½ ∫ u G′ dθ,  M = ½ ∫ h N dθ  over half a turn, N = G − tG′, t = c·u/h.
-/// In the angle ψ of (a cos θ, b sin θ)/h, t = τ cos(ψ − ψ_c), with (c_x/a, c_y/b) = τ (cos ψ_c, sin ψ_c). So the half turn from ψ_c on has
-/// t from τ down to −τ, and |t| > 1 only within acos(1/τ) of its ends, where G′ = ±1, N = 0 and the integral has a closed form. The remainder is
-/// divided at the axes and at the law's kinks. The variable is the angle χ between θ and ψ, tan θ = √(a/b) tan χ, in which neither u nor h
-/// turns fast.
+/// In the angle ψ of (a cos θ, b sin θ)/h, t = τ cos(ψ − ψ_c), with (c_x/a, c_y/b) = τ (cos ψ_c, sin ψ_c). So the half
+/// turn from ψ_c on has t from τ down to −τ, and |t| > 1 only within acos(1/τ) of its ends, where G′ = ±1, N = 0 and
+/// the integral has a closed form. The remainder is divided at the axes and at the law's kinks. The variable is the
+/// angle χ between θ and ψ, tan θ = √(a/b) tan χ, in which neither u nor h turns fast.
 struct Ellipse final : Shape {
   std::shared_ptr<const LineProfile> profile;
   double a;
@@ -80,7 +80,8 @@ struct Ellipse final : Shape {
 
   void cut() {
     cuts = {0.0, 0.5 * pi};
-    // u turns within √(b/a) of one axis, h within √(b/a) of the other: beyond an aspect of 20 divide each quarter in between.
+    // u turns within √(b/a) of one axis, h within √(b/a) of the other: beyond an aspect of 20 divide each quarter in
+    // between.
     const double narrow = std::min(root_a, root_b) / std::max(root_a, root_b);
     for (double width = 2.0 * narrow; width < 0.5; width *= 4.0) {
       if (aspect() <= 20.0) break;
@@ -97,12 +98,18 @@ struct Ellipse final : Shape {
     const double x = z * z;
     sine =
         z * (1.0 -
-             x / 6.0 * (1.0 - x / 20.0 * (1.0 - x / 42.0 * (1.0 - x / 72.0 * (1.0 - x / 110.0 * (1.0 - x / 156.0 * (1.0 - x / 210.0)))))));
+             x / 6.0 *
+                 (1.0 -
+                  x / 20.0 *
+                      (1.0 - x / 42.0 * (1.0 - x / 72.0 * (1.0 - x / 110.0 * (1.0 - x / 156.0 * (1.0 - x / 210.0)))))));
     cosine =
         1.0 -
         x / 2.0 *
             (1.0 -
-             x / 12.0 * (1.0 - x / 30.0 * (1.0 - x / 56.0 * (1.0 - x / 90.0 * (1.0 - x / 132.0 * (1.0 - x / 182.0 * (1.0 - x / 240.0)))))));
+             x / 12.0 *
+                 (1.0 -
+                  x / 30.0 *
+                      (1.0 - x / 56.0 * (1.0 - x / 90.0 * (1.0 - x / 132.0 * (1.0 - x / 182.0 * (1.0 - x / 240.0)))))));
   }
 
   /// Calls `add(weight dθ, u_x, u_y, h)` at the nodes of χ from `begin` to `end`.
@@ -144,15 +151,16 @@ struct Ellipse final : Shape {
   void expand() {
     const auto& [g0, g2, g4] = profile->polynomial();
     for (std::size_t i = 0; i < cuts.size(); ++i) {
-      integrate(cuts[i], i + 1 < cuts.size() ? cuts[i + 1] : pi, [&, g0 = g0, g2 = g2, g4 = g4](double w, double ux, double uy, double h) {
-        inside.k += 0.5 * w * g0 * h;
-        inside.kx += 0.5 * w * g2 * ux * ux / h;
-        inside.ky += 0.5 * w * g2 * uy * uy / h;
-        const double quartic = 0.5 * w * g4 / (h * h * h);
-        inside.q40 += quartic * ux * ux * ux * ux;
-        inside.q22 += 6.0 * quartic * ux * ux * uy * uy;
-        inside.q04 += quartic * uy * uy * uy * uy;
-      });
+      integrate(cuts[i], i + 1 < cuts.size() ? cuts[i + 1] : pi,
+                [&, g0 = g0, g2 = g2, g4 = g4](double w, double ux, double uy, double h) {
+                  inside.k += 0.5 * w * g0 * h;
+                  inside.kx += 0.5 * w * g2 * ux * ux / h;
+                  inside.ky += 0.5 * w * g2 * uy * uy / h;
+                  const double quartic = 0.5 * w * g4 / (h * h * h);
+                  inside.q40 += quartic * ux * ux * ux * ux;
+                  inside.q22 += 6.0 * quartic * ux * ux * uy * uy;
+                  inside.q04 += quartic * uy * uy * uy * uy;
+                });
     }
   }
 
@@ -163,7 +171,8 @@ struct Ellipse final : Shape {
     const double quartic = inside.q40 * x2 * x2 + inside.q22 * x2 * y2 + inside.q04 * y2 * y2;
     const PatchPoint gradient{2.0 * c.x * (inside.kx + 2.0 * inside.q40 * x2 + inside.q22 * y2),
                               2.0 * c.y * (inside.ky + 2.0 * inside.q04 * y2 + inside.q22 * x2)};
-    return from_distance(omega, inside.k + quadratic + quartic, {-gradient.x, -gradient.y}, inside.k - quadratic - 3.0 * quartic);
+    return from_distance(omega, inside.k + quadratic + quartic, {-gradient.x, -gradient.y},
+                         inside.k - quadratic - 3.0 * quartic);
   }
 
   /// χ of an angle ψ; both are equal on the axes.

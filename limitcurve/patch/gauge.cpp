@@ -37,8 +37,8 @@ Vector cross(const Vector& a, const Vector& b) noexcept {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Three points of the limit surface, and the plane T·p = 1 through them. Differences of the points keep their digits when the points come
-/// close to each other.
+/// Three points of the limit surface, and the plane T·p = 1 through them. Differences of the points keep their digits
+/// when the points come close to each other.
 struct Facet {
   std::array<Vector, 3> points;
   Vector first;
@@ -47,7 +47,11 @@ struct Facet {
   Vector twist;  ///< T
 
   explicit Facet(const std::array<Vector, 3>& of) noexcept
-      : points(of), first(of[1] - of[0]), second(of[2] - of[0]), normal(cross(first, second)), twist(normal * (1.0 / dot(normal, of[0]))) {}
+      : points(of),
+        first(of[1] - of[0]),
+        second(of[2] - of[0]),
+        normal(cross(first, second)),
+        twist(normal * (1.0 / dot(normal, of[0]))) {}
 
   /// λ of p = Σ λᵢ pᵢ.
   [[nodiscard]] std::array<double, 3> shares(const Vector& p) const noexcept {
@@ -66,9 +70,10 @@ struct Slip {
   double gauge;
 };
 
-// The smallest Σ λᵢ with Σ λᵢ pᵢ = W over points pᵢ of the surface and λᵢ ≥ 0: a linear programme of which the surface's support in the
-// direction T of a facet, the wrench of the twist T, is the column to add. Its H(T) ≥ 1 bounds what is missing: the gauge is at least
-// Σ λᵢ/H(T). No derivative is needed, so that kinks, flat faces and points do not matter.
+// The smallest Σ λᵢ with Σ λᵢ pᵢ = W over points pᵢ of the surface and λᵢ ≥ 0: a linear programme of which the
+// surface's support in the direction T of a facet, the wrench of the twist T, is the column to add. Its H(T) ≥ 1 bounds
+// what is missing: the gauge is at least Σ λᵢ/H(T). No derivative is needed, so that kinks, flat faces and points do
+// not matter.
 template <class Support>
 Slip slip_by_columns(const Vector& w, const Support& support) noexcept {
   constexpr int most_columns = 400;
@@ -109,8 +114,9 @@ Slip slip_by_columns(const Vector& w, const Support& support) noexcept {
   return {facet.twist * (1.0 / sum), std::min(least, sum)};
 }
 
-/// Improves a twist of unit power against W, |W| = 1, until the wrench that it needs is parallel to W: Newton's method for the part across
-/// W, with differences of wrenches as slopes. Near a kink of H the steps of the differences shrink; on one nothing improves.
+/// Improves a twist of unit power against W, |W| = 1, until the wrench that it needs is parallel to W: Newton's method
+/// for the part across W, with differences of wrenches as slopes. Near a kink of H the steps of the differences shrink;
+/// on one nothing improves.
 template <class Support>
 Vector polished(Vector twist, const Vector& w, const Support& support) noexcept {
   constexpr double enough = 1e-14;
@@ -136,7 +142,8 @@ Vector polished(Vector twist, const Vector& w, const Support& support) noexcept 
     const PatchPoint a = slope(one);
     const PatchPoint b = slope(other);
     const double area = a.x * b.y - a.y * b.x;
-    const Vector next = twist + one * ((now.y * b.x - now.x * b.y) / area) + other * ((now.x * a.y - now.y * a.x) / area);
+    const Vector next =
+        twist + one * ((now.y * b.x - now.x * b.y) / area) + other * ((now.x * a.y - now.y * a.x) / area);
     const Vector there = across(next);
     const double left = std::hypot(there.x, there.y);
     // Beside a kink less may be left than on it, but H is larger.
@@ -170,7 +177,8 @@ struct Patch::Direction {
 
   Direction(const Patch& patch, const PatchWrench& wrench) noexcept : isotropic(patch.shape_) {
     if (std::isnan(wrench.fx) || std::isnan(wrench.fy) || std::isnan(wrench.moment)) return;
-    w = {wrench.fx / patch.mx_, wrench.fy / patch.my_, wrench.moment == 0.0 ? 0.0 : wrench.moment / patch.moment_ratio_};
+    w = {wrench.fx / patch.mx_, wrench.fy / patch.my_,
+         wrench.moment == 0.0 ? 0.0 : wrench.moment / patch.moment_ratio_};
     size = std::hypot(std::hypot(w.x, w.y), w.z);
     w = w * (1.0 / size);
   }
@@ -180,12 +188,15 @@ struct Patch::Direction {
     return {needed.fx, needed.fy, needed.moment / isotropic.moment_ratio_};
   }
   /// For size > 0 that is finite. A single point bears no moment, and its spin is free: it does not spin.
-  [[nodiscard]] Slip slip() const noexcept { return isotropic.moment_ratio_ > 0.0 ? slip_by_columns(w, *this) : Slip{w, 1.0}; }
+  [[nodiscard]] Slip slip() const noexcept {
+    return isotropic.moment_ratio_ > 0.0 ? slip_by_columns(w, *this) : Slip{w, 1.0};
+  }
 };
 
 double Patch::gauge(const PatchWrench& wrench) const noexcept {
   const Direction direction(*this, wrench);
-  return direction.size > 0.0 && std::isfinite(direction.size) ? direction.size * direction.slip().gauge : direction.size;
+  return direction.size > 0.0 && std::isfinite(direction.size) ? direction.size * direction.slip().gauge
+                                                               : direction.size;
 }
 
 PatchSlip Patch::slip(const PatchWrench& wrench) const {
@@ -208,14 +219,17 @@ PatchSlip Patch::slip(const PatchWrench& wrench) const {
     const double fx = needed.wrench.fx - wrench.fx / found.gauge;
     const double fy = needed.wrench.fy - wrench.fy / found.gauge;
     const double moment = needed.wrench.moment - wrench.moment / found.gauge;
-    if (bears == nullptr) return needed.error + std::max(std::hypot(fx, fy), spins ? std::fabs(moment) / moment_ratio_ : 0.0);
+    if (bears == nullptr)
+      return needed.error + std::max(std::hypot(fx, fy), spins ? std::fabs(moment) / moment_ratio_ : 0.0);
     const double more = std::max(mx_, my_) * std::max(std::hypot(fx / mx_, fy / my_) - bears->load, 0.0);
     return about_origin({at.vx + near * radius_ * at.omega, at.vy, at.omega}).error + more +
-           (std::fabs(moment - (bears->x * fy - bears->y * fx)) + more * std::hypot(bears->x, bears->y)) / moment_ratio_;
+           (std::fabs(moment - (bears->x * fy - bears->y * fx)) + more * std::hypot(bears->x, bears->y)) /
+               moment_ratio_;
   };
   found.error = error_of(found.twist, nullptr);
   if (found.error > kink && slip.omega != 0.0) {
-    // With the COR on a point H has a kink: a whole face of wrenches slips about that very point, and beside it the point's force is lost.
+    // With the COR on a point H has a kink: a whole face of wrenches slips about that very point, and beside it the
+    // point's force is lost.
     const PatchPoint cor{middle.x - slip.vy / slip.omega, middle.y + slip.vx / slip.omega};
     PatchLoad nearest{};
     double distance = std::numeric_limits<double>::infinity();

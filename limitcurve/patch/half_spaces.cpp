@@ -10,16 +10,18 @@
 #include <span>
 #include <stdexcept>
 
-// Each row is a twist n: n·w ≤ s H(n), where H is the friction's power and s = 1/(largest gauge of the vertices of {n·w ≤ H(n)}).
-//   Inside: the polytope is bounded, so it is the hull of its vertices; their gauge is ≤ 1 by the choice of s, and the gauge is convex.
-//   Share: of the limit surface's inside K, sK satisfies all rows, and each row touches it.
-//   Every load: H is proportional to μN.
+// Each row is a twist n: n·w ≤ s H(n), where H is the friction's power and s = 1/(largest gauge of the vertices of {n·w
+// ≤ H(n)}).
+//   Inside: the polytope is bounded, so it is the hull of its vertices; their gauge is ≤ 1 by the choice of s, and the
+//   gauge is convex. Share: of the limit surface's inside K, sK satisfies all rows, and each row touches it. Every
+//   load: H is proportional to μN.
 
 namespace limitcurve {
 
 namespace {
 
-using Triple = std::array<double, 3>;  ///< a twist or a wrench about the centre of pressure, in units in which H is nearly |n|
+using Triple =
+    std::array<double, 3>;  ///< a twist or a wrench about the centre of pressure, in units in which H is nearly |n|
 
 double product(const Triple& a, const Triple& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -29,9 +31,9 @@ Triple normal_to(const Triple& a, const Triple& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Twists on rings: directions of the sliding, and latitudes [°] between sliding and spin. Of the polytopes (|F| in a regular polygon) ×
-/// (polygon about the curve of F and M) these have the largest share of a uniform disc: all their edges have the same. Other laws and
-/// shapes lose little.
+/// Twists on rings: directions of the sliding, and latitudes [°] between sliding and spin. Of the polytopes (|F| in a
+/// regular polygon) × (polygon about the curve of F and M) these have the largest share of a uniform disc: all their
+/// edges have the same. Other laws and shapes lose little.
 struct Rings {
   std::size_t rows;
   int directions;
@@ -79,9 +81,11 @@ std::vector<Triple> vertices_of(const std::vector<Triple>& planes) {
         for (std::size_t n = 0; n < 3; ++n) point[n] = (first[n] + second[n] + third[n]) / volume;
         const auto cuts = [&](const Triple& plane) { return product(plane, point) > outside; };
         const auto is_same = [&](const Triple& other) {
-          return std::max({std::fabs(other[0] - point[0]), std::fabs(other[1] - point[1]), std::fabs(other[2] - point[2])}) < same;
+          return std::max({std::fabs(other[0] - point[0]), std::fabs(other[1] - point[1]),
+                           std::fabs(other[2] - point[2])}) < same;
         };
-        if (std::any_of(planes.begin(), planes.end(), cuts) || std::any_of(found.begin(), found.end(), is_same)) continue;
+        if (std::any_of(planes.begin(), planes.end(), cuts) || std::any_of(found.begin(), found.end(), is_same))
+          continue;
         found.push_back(point);
       }
     }
@@ -92,18 +96,21 @@ std::vector<Triple> vertices_of(const std::vector<Triple>& planes) {
 }  // namespace
 
 HalfSpaces half_spaces(const Patch& patch, std::size_t rows) {
-  const auto above = std::find_if(all_rings.begin(), all_rings.end(), [&](const Rings& rings) { return rings.rows > rows; });
+  const auto above =
+      std::find_if(all_rings.begin(), all_rings.end(), [&](const Rings& rings) { return rings.rows > rows; });
   if (above == all_rings.begin()) throw out_of_range("rows", static_cast<double>(rows), "1", ">= 8");
-  if (!(patch.moment_ratio() > 0.0)) throw std::invalid_argument("half_spaces: a single point bears no moment, expected a patch that does");
+  if (!(patch.moment_ratio() > 0.0))
+    throw std::invalid_argument("half_spaces: a single point bears no moment, expected a patch that does");
   const PatchPoint centre = patch.centre();
   // The powers of the slides along x and y and of the spin: 1, 1, m0 but for orthotropic friction.
   const Triple unit{patch.power({1.0, 0.0, 0.0}), patch.power({0.0, 1.0, 0.0}), patch.moment_ratio()};
-  double error = 0.0;  // of the patch's own power: a fraction
-  const auto see_error_at =
-      [&](const PatchTwist& twist) {  // beside it: the force of a point under the COR has no direction, but no power either
-        constexpr double near = 1e-6;
-        error = std::max(error, patch.about_origin({twist.vx + near * patch.radius() * twist.omega, twist.vy, twist.omega}).error);
-      };
+  double error = 0.0;                                       // of the patch's own power: a fraction
+  const auto see_error_at = [&](const PatchTwist& twist) {  // beside it: the force of a point under the COR has no
+                                                            // direction, but no power either
+    constexpr double near = 1e-6;
+    error = std::max(error,
+                     patch.about_origin({twist.vx + near * patch.radius() * twist.omega, twist.vy, twist.omega}).error);
+  };
   HalfSpaces result;
   std::vector<Triple> planes;
   for (const Triple& direction : directions_of(*std::prev(above))) {

@@ -41,10 +41,10 @@ RectangleMeans rectangle_means(double hx, double hy, PatchPoint c) noexcept {
   return {distance, direction, distance + c.x * direction.x + c.y * direction.y};
 }
 
-/// Σ w √(|u|² + ω²V) and its gradient. V = (h_x²u_x² + h_y²u_y²)/(12|u|²) is the second moment of a rectangle of sides h_x, h_y across the
-/// direction of sliding. Not for a rectangle near the COR.
-PatchFriction sum_rectangles(const double* xs, const double* ys, const double* weights, std::size_t count, const PatchTwist& twist,
-                             double hx, double hy) noexcept {
+/// Σ w √(|u|² + ω²V) and its gradient. V = (h_x²u_x² + h_y²u_y²)/(12|u|²) is the second moment of a rectangle of sides
+/// h_x, h_y across the direction of sliding. Not for a rectangle near the COR.
+PatchFriction sum_rectangles(const double* xs, const double* ys, const double* weights, std::size_t count,
+                             const PatchTwist& twist, double hx, double hy) noexcept {
   const double a = twist.omega * twist.omega * hx * hx / 12.0;
   const double b = twist.omega * twist.omega * hy * hy / 12.0;
   PatchFriction sum;
@@ -65,8 +65,9 @@ PatchFriction sum_rectangles(const double* xs, const double* ys, const double* w
   return sum;
 }
 
-/// Pixels: squares of constant pressure, rectangles if stretched. Next to the COR they are integrated exactly. All others are points with
-/// the square's second moment across the direction of sliding, w√(|u|² + ω²h²/12), whose error is of fourth order in side/distance.
+/// Pixels: squares of constant pressure, rectangles if stretched. Next to the COR they are integrated exactly. All
+/// others are points with the square's second moment across the direction of sliding, w√(|u|² + ω²h²/12), whose error
+/// is of fourth order in side/distance.
 struct Image final : Shape {
   std::vector<double> loads;  ///< of all pixels, rows from the largest y, scaled to sum 1
   std::size_t columns;
@@ -81,7 +82,12 @@ struct Image final : Shape {
   std::vector<std::string> notes;
 
   Image(std::vector<double> pixel_loads, std::size_t width, double hx, double hy, std::vector<std::string> lines)
-      : loads(std::move(pixel_loads)), columns(width), rows(loads.size() / width), side_x(hx), side_y(hy), notes(std::move(lines)) {
+      : loads(std::move(pixel_loads)),
+        columns(width),
+        rows(loads.size() / width),
+        side_x(hx),
+        side_y(hy),
+        notes(std::move(lines)) {
     Extended mean_column = 0;
     Extended mean_row = 0;
     for (std::size_t i = 0; i < loads.size(); ++i) {
@@ -119,8 +125,8 @@ struct Image final : Shape {
   [[nodiscard]] double near_columns() const noexcept { return std::ceil(std::max(side_x, side_y) / side_x); }
   [[nodiscard]] double near_rows() const noexcept { return std::ceil(std::max(side_x, side_y) / side_y); }
 
-  /// Splits the pixels under pressure, once for all that is summed: calls `near(i)` for each near the COR, and `far(first, last)` for the
-  /// runs of the others.
+  /// Splits the pixels under pressure, once for all that is summed: calls `near(i)` for each near the COR, and
+  /// `far(first, last)` for the runs of the others.
   template <class Near, class Far>
   void split(PatchPoint cor, const Near& near, const Far& far) const noexcept {
     const double column = std::floor((cor.x - corner.x) / side_x);
@@ -193,8 +199,8 @@ struct Image final : Shape {
   }
   [[nodiscard]] double area() const override { return static_cast<double>(xs.size()) * side_x * side_y; }
   [[nodiscard]] double nanoseconds() const noexcept override {
-    const double near =
-        std::min(2.0 * near_columns() + 1.0, static_cast<double>(columns)) * std::min(2.0 * near_rows() + 1.0, static_cast<double>(rows));
+    const double near = std::min(2.0 * near_columns() + 1.0, static_cast<double>(columns)) *
+                        std::min(2.0 * near_rows() + 1.0, static_cast<double>(rows));
     return 30.0 * near + (side_x == side_y ? 1.5 : 8.0) * static_cast<double>(xs.size());
   }
   [[nodiscard]] std::vector<PatchLoad> concentrations() const override {
@@ -211,20 +217,22 @@ std::shared_ptr<Shape> make_image(std::vector<double> pressures, std::size_t col
                                   std::optional<double> floor) {
   if (floor && !(*floor >= 0.0)) throw out_of_range("floor", *floor, "1", ">= 0");
   if (columns == 0 || pressures.empty() || pressures.size() % columns != 0) {
-    throw std::invalid_argument("an image of " + std::to_string(pressures.size()) + " pixels in rows of " + std::to_string(columns) +
-                                ", expected whole rows");
+    throw std::invalid_argument("an image of " + std::to_string(pressures.size()) + " pixels in rows of " +
+                                std::to_string(columns) + ", expected whole rows");
   }
   const auto place = [columns](std::size_t i) {
     return "row " + std::to_string(i / columns + 1) + ", column " + std::to_string(i % columns + 1);
   };
   for (std::size_t i = 0; i < pressures.size(); ++i) {
     if (!std::isfinite(pressures[i]))
-      throw std::invalid_argument(place(i) + ": " + out_of_range("pressure", pressures[i], "1", "a finite number").what());
+      throw std::invalid_argument(place(i) + ": " +
+                                  out_of_range("pressure", pressures[i], "1", "a finite number").what());
   }
   const SignedNoise noise = remove_noise(pressures, std::vector<double>(pressures.size(), 1.0), place, floor);
   const double highest = *std::max_element(pressures.begin(), pressures.end());
   if (highest == 0.0) {
-    throw std::invalid_argument("all " + std::to_string(pressures.size()) + " pixels have pressure 0, expected one of pressure > 0");
+    throw std::invalid_argument("all " + std::to_string(pressures.size()) +
+                                " pixels have pressure 0, expected one of pressure > 0");
   }
   Extended total = 0;
   for (const double pressure : pressures) total += Extended(pressure) / highest;

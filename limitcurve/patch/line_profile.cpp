@@ -40,17 +40,20 @@ LineProfile::LineProfile(Law law) : law_(std::move(law)), outer_(static_cast<dou
     return;
   }
   is_polynomial_ = false;
-  is_smooth_ = name == "uniform" || name == "parabolic" || name == "cone" || (name.starts_with("power:") && law_->rim_exponent() >= -0.3L);
+  is_smooth_ = name == "uniform" || name == "parabolic" || name == "cone" ||
+               (name.starts_with("power:") && law_->rim_exponent() >= -0.3L);
   for (const Extended place : law_->breaks()) kinks_.push_back(static_cast<double>(place));
   kinks_.pop_back();
   if (kinks_.empty() || kinks_.front() > 0.0) kinks_.insert(kinks_.begin(), 0.0);
   mean_distance_ = law_->line_profile(0.0).forces.moment;
   constexpr double sharpest = 1e-4;
   if (!(mean_distance_ >= sharpest * outer_)) {
-    throw std::invalid_argument("law " + name + ": its mean distance from a diameter is " + format_number(mean_distance_ / outer_) +
+    throw std::invalid_argument("law " + name + ": its mean distance from a diameter is " +
+                                format_number(mean_distance_ / outer_) +
                                 " of its radius, too sharp for an ellipse, expected >= 1e-4 (xydas-kao: k >= 0.05)");
   }
-  // Where the slope is far from proportional to t, a sharp part of the pressure is narrower than t: divide there as if it had kinks.
+  // Where the slope is far from proportional to t, a sharp part of the pressure is narrower than t: divide there as if
+  // it had kinks.
   const auto rise = [&](double t) { return law_->line_profile(t).forces.force / t; };
   for (double place = 0.25 * outer_; place > 1e-12 * outer_; place *= 0.25) {
     if (rise(0.25 * place) > 1.5 * rise(place)) kinks_.push_back(place);
@@ -88,7 +91,8 @@ double LineProfile::add_cells(double begin, double end, double tolerance, double
   for (std::size_t k = 0; k < order; ++k) {
     for (std::size_t j = 0; j < order; ++j) {
       const double angle = std::numbers::pi * (static_cast<double>(j) + 0.5) / static_cast<double>(order);
-      const double weight = (k == 0 ? 1.0 : 2.0) / static_cast<double>(order) * std::cos(static_cast<double>(k) * angle);
+      const double weight =
+          (k == 0 ? 1.0 : 2.0) / static_cast<double>(order) * std::cos(static_cast<double>(k) * angle);
       cell.slope[k] += weight * values[j].slope;
       cell.remainder[k] += weight * values[j].remainder;
     }
@@ -99,7 +103,8 @@ double LineProfile::add_cells(double begin, double end, double tolerance, double
     const double t = begin + cell.half * (1.0 + x);
     const Value true_value = exact(t);
     const Value value = at(cell, t);
-    off = std::max({off, std::fabs(value.slope - true_value.slope), std::fabs(value.remainder - true_value.remainder) / mean_distance_});
+    off = std::max({off, std::fabs(value.slope - true_value.slope),
+                    std::fabs(value.remainder - true_value.remainder) / mean_distance_});
   }
   // Halving does not help below the rounding error of the integrals, nor where places are no longer resolved.
   const double narrowest = std::max(1e-11 * begin, 1e-15 * mean_distance_);
@@ -127,7 +132,8 @@ LineProfile::Value LineProfile::operator()(double t) const noexcept {
     return {std::clamp(t, -1.0, 1.0) * (2.0 * g2 + 4.0 * g4 * square), g0 - g2 * square - 3.0 * g4 * square * square};
   }
   if (!(place < outer_)) return {std::copysign(1.0, t), 0.0};
-  const auto after = std::upper_bound(cells_.begin() + 1, cells_.end(), place, [](double p, const Cell& cell) { return p < cell.begin; });
+  const auto after = std::upper_bound(cells_.begin() + 1, cells_.end(), place,
+                                      [](double p, const Cell& cell) { return p < cell.begin; });
   const Value value = at(*(after - 1), place);
   return {place > 0.0 ? std::copysign(value.slope, t) : 0.0, value.remainder};
 }

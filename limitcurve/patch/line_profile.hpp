@@ -9,9 +9,10 @@
 
 namespace limitcurve::patch {
 
-/// A law's pressure projected on a line through the contact centre. t is the coordinate on the line in contact radii, and G(t) = ⟨|t − x|⟩
-/// the mean distance of the projected pressure from t. Gives the slope G′, which is odd, and N = G − tG′, the integral of 2x times the
-/// projected density from |t| to the rim, which is even and 0 beyond the rim. Interpolated by Chebyshev series.
+/// A law's pressure projected on a line through the contact centre. t is the coordinate on the line in contact radii,
+/// and G(t) = ⟨|t − x|⟩ the mean distance of the projected pressure from t. Gives the slope G′, which is odd, and N = G
+/// − tG′, the integral of 2x times the projected density from |t| to the rim, which is even and 0 beyond the rim.
+/// Interpolated by Chebyshev series.
 class LineProfile {
  public:
   /// Throws std::invalid_argument, with the law, if its mean distance from a diameter is below 1e-4 of its radius.
@@ -26,7 +27,8 @@ class LineProfile {
 
   /// Where the pressure ends: 1, or more for a law without a rim.
   [[nodiscard]] double outer() const noexcept { return outer_; }
-  /// Coordinates 0 ≤ t < outer where a derivative of the slope may jump, and some where it changes fast; none for the polynomials of Hertz and the flat punch.
+  /// Coordinates 0 ≤ t < outer where a derivative of the slope may jump, and some where it changes fast; none for the
+  /// polynomials of Hertz and the flat punch.
   [[nodiscard]] const std::vector<double>& kinks() const noexcept { return kinks_; }
   [[nodiscard]] double error() const noexcept { return error_; }
   /// Whether an ellipse's integrals under this law are accurate to 1e-12 (accuracy::patch_ellipse).
@@ -47,8 +49,8 @@ class LineProfile {
   };
 
   void tabulate(double tolerance);
-  /// Adds cells until each is accurate to `tolerance`, or cannot be made so. `before` is the error of the cell being halved. Returns the
-  /// largest error of the cells.
+  /// Adds cells until each is accurate to `tolerance`, or cannot be made so. `before` is the error of the cell being
+  /// halved. Returns the largest error of the cells.
   double add_cells(double begin, double end, double tolerance, double before);
   [[nodiscard]] static Value at(const Cell& cell, double t) noexcept;
 

@@ -13,18 +13,19 @@ namespace limitcurve {
 namespace {
 
 double checked_length(const char* name, double length) {
-  if (!(length >= patch::least_length && length <= patch::most_length)) throw out_of_range(name, length, "m", "1e-100 <= length <= 1e100");
+  if (!(length >= patch::least_length && length <= patch::most_length))
+    throw out_of_range(name, length, "m", "1e-100 <= length <= 1e100");
   return length;
 }
 
-/// Evaluates at a scaled twist, so that no square overflows or underflows, with the rotation as speed at `reach`. The scale is a power of
-/// two, so that nothing is rounded.
+/// Evaluates at a scaled twist, so that no square overflows or underflows, with the rotation as speed at `reach`. The
+/// scale is a power of two, so that nothing is rounded.
 template <class Evaluate>
 PatchFriction scaled(const PatchTwist& twist, double reach, const Evaluate& evaluate) noexcept {
   const double size = std::max({std::fabs(twist.vx), std::fabs(twist.vy), std::fabs(twist.omega) * reach});
   constexpr double much = 1e60;
-  const bool is_usual =
-      size > 1.0 / much && size < much && std::fabs(twist.omega) < much && std::isfinite(twist.vx + twist.vy + twist.omega);
+  const bool is_usual = size > 1.0 / much && size < much && std::fabs(twist.omega) < much &&
+                        std::isfinite(twist.vx + twist.vy + twist.omega);
   if (is_usual) return evaluate(twist);
   if (!std::isfinite(twist.vx) || !std::isfinite(twist.vy) || !std::isfinite(twist.omega)) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -33,12 +34,13 @@ PatchFriction scaled(const PatchTwist& twist, double reach, const Evaluate& eval
   // ω·reach itself may overflow or underflow; the sum of the exponents does not.
   constexpr int none = std::numeric_limits<int>::min() / 2;
   const auto exponent_of = [](double x) { return x != 0.0 ? std::ilogb(x) : none; };
-  const int exponent = std::max({exponent_of(twist.vx), exponent_of(twist.vy), exponent_of(twist.omega) + exponent_of(reach)});
+  const int exponent =
+      std::max({exponent_of(twist.vx), exponent_of(twist.vy), exponent_of(twist.omega) + exponent_of(reach)});
   if (exponent <= none) return {};
   // A larger rate is possible only for a single point, which does not move by it.
   constexpr double most = 1e200;
-  PatchFriction friction = evaluate(
-      {std::ldexp(twist.vx, -exponent), std::ldexp(twist.vy, -exponent), std::clamp(std::ldexp(twist.omega, -exponent), -most, most)});
+  PatchFriction friction = evaluate({std::ldexp(twist.vx, -exponent), std::ldexp(twist.vy, -exponent),
+                                     std::clamp(std::ldexp(twist.omega, -exponent), -most, most)});
   friction.power = std::ldexp(friction.power, exponent);
   return friction;
 }
@@ -65,10 +67,16 @@ PatchFriction Shape::about_origin(const PatchTwist& twist, PatchPoint factors) c
 
 }  // namespace patch
 
-Patch::Patch(const std::shared_ptr<const patch::Shape>& isotropic) : Patch(isotropic, 1.0, 1.0, isotropic->centre, isotropic->radius) {}
+Patch::Patch(const std::shared_ptr<const patch::Shape>& isotropic)
+    : Patch(isotropic, 1.0, 1.0, isotropic->centre, isotropic->radius) {}
 
 Patch::Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my, PatchPoint centre, double radius)
-    : shape_(std::move(shape)), centre_(centre), mx_(mx), my_(my), moment_ratio_(shape_->moment_ratio), radius_(radius) {}
+    : shape_(std::move(shape)),
+      centre_(centre),
+      mx_(mx),
+      my_(my),
+      moment_ratio_(shape_->moment_ratio),
+      radius_(radius) {}
 
 Patch Patch::points(std::span<const PatchLoad> loads) {
   return Patch(patch::make_points(loads));
@@ -89,7 +97,8 @@ Patch Patch::ellipse(const Law& law, double a, double b) {
   return Patch(patch::make_ellipse(checked(law), checked_length("a", a), checked_length("b", b)));
 }
 
-Patch Patch::image(std::span<const double> pressures, std::size_t columns, double width, double height, std::optional<double> floor) {
+Patch Patch::image(std::span<const double> pressures, std::size_t columns, double width, double height,
+                   std::optional<double> floor) {
   return Patch(patch::make_image({pressures.begin(), pressures.end()}, columns, checked_length("pixel", width),
                                  checked_length("pixel", height), floor));
 }
@@ -109,8 +118,8 @@ Patch Patch::smoothed(double radius) const {
   return {std::move(smooth), mx_, my_, centre_, radius_ + wider};
 }
 
-// Orthotropic friction: diag(mx, my)(v + ω ẑ × x) is the velocity of the point (my x, mx y) under the twist (mx v_x, my v_y, ω). So H is
-// that of the stretched patch at that twist, and its gradient follows by the chain rule.
+// Orthotropic friction: diag(mx, my)(v + ω ẑ × x) is the velocity of the point (my x, mx y) under the twist (mx v_x, my
+// v_y, ω). So H is that of the stretched patch at that twist, and its gradient follows by the chain rule.
 PatchFriction Patch::evaluate(const PatchTwist& twist) const noexcept {
   PatchFriction friction = scaled(twist, shape_->radius, [this](const PatchTwist& one) {
     return shape_->evaluate({mx_ * one.vx, my_ * one.vy, one.omega});
@@ -122,7 +131,9 @@ PatchFriction Patch::evaluate(const PatchTwist& twist) const noexcept {
 
 PatchFriction Patch::about_origin(const PatchTwist& twist) const noexcept {
   const double reach = shape_->radius + std::hypot(shape_->centre.x, shape_->centre.y);
-  PatchFriction friction = scaled(twist, reach, [this](const PatchTwist& one) { return shape_->about_origin(one, {mx_, my_}); });
+  PatchFriction friction = scaled(twist, reach, [this](const PatchTwist& one) {
+    return shape_->about_origin(one, {mx_, my_});
+  });
   if (mx_ != 1.0 || my_ != 1.0) friction.error = (friction.error + 2.0 * patch::epsilon) * std::max({1.0, mx_, my_});
   return friction;
 }

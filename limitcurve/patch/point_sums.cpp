@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-// The loops exist for AVX2, too, and the loader chooses. Lanes are added in the same order, so that both give the same bits.
+// The loops exist for AVX2, too, and the loader chooses. Lanes are added in the same order, so that both give the same
+// bits.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__linux__)
 #define LIMITCURVE_WIDE __attribute__((target_clones("default", "avx2")))
 #else
@@ -25,8 +26,9 @@ struct LaneSums {
   double inverse[lanes] = {};  ///< Σ w/√(|u|² + s²)
 };
 
-LIMITCURVE_WIDE void add_blocks(const double* __restrict x, const double* __restrict y, const double* __restrict weight, std::size_t blocks,
-                                double vx, double vy, double omega, double softness, LaneSums* __restrict sums) noexcept {
+LIMITCURVE_WIDE void add_blocks(const double* __restrict x, const double* __restrict y, const double* __restrict weight,
+                                std::size_t blocks, double vx, double vy, double omega, double softness,
+                                LaneSums* __restrict sums) noexcept {
   for (std::size_t block = 0; block < blocks; ++block) {
     for (std::size_t k = 0; k < lanes; ++k) {
       const std::size_t i = block * lanes + k;
@@ -49,8 +51,8 @@ double total(const double* lane) noexcept {
 
 }  // namespace
 
-PatchFriction sum_soft_points(const double* x, const double* y, const double* weight, std::size_t count, const PatchTwist& twist,
-                              double softness) noexcept {
+PatchFriction sum_soft_points(const double* x, const double* y, const double* weight, std::size_t count,
+                              const PatchTwist& twist, double softness) noexcept {
   LaneSums sums;
   const std::size_t blocks = count / lanes;
   add_blocks(x, y, weight, blocks, twist.vx, twist.vy, twist.omega, softness, &sums);

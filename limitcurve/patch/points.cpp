@@ -11,7 +11,8 @@ namespace limitcurve::patch {
 
 namespace {
 
-/// Makes the loads sum to 1; returns their centre of pressure: from the first point, so that of points at one place it is that place.
+/// Makes the loads sum to 1; returns their centre of pressure: from the first point, so that of points at one place it
+/// is that place.
 PatchPoint normalise(std::vector<PatchLoad>& loads) {
   const PatchLoad first = loads.front();
   Extended total = 0;
@@ -44,7 +45,7 @@ double rounding(std::size_t count, double radius, double moment_ratio) {
 struct Points final : Shape {
   std::vector<PatchLoad> loads;  ///< not stretched
   PatchPoint stretch;            ///< of x and y, by orthotropic friction
-  PatchPoint middle;             ///< the centre of pressure, not stretched: divided back, it would lie beside a single point
+  PatchPoint middle;  ///< the centre of pressure, not stretched: divided back, it would lie beside a single point
 
   explicit Points(std::vector<PatchLoad> points, PatchPoint scale = {1.0, 1.0})
       : loads(std::move(points)), stretch(scale), middle(normalise(loads)) {
@@ -55,16 +56,18 @@ struct Points final : Shape {
     measure_moment_ratio();
   }
 
-  /// The sum at the user's twist about `reference`, not stretched either. Adds to `lost` the loads of points whose slip is below the
-  /// rounding of the twist.
-  [[nodiscard]] PatchFriction sum(const PatchTwist& twist, PatchPoint reference, PatchPoint factors, double& lost) const noexcept {
+  /// The sum at the user's twist about `reference`, not stretched either. Adds to `lost` the loads of points whose slip
+  /// is below the rounding of the twist.
+  [[nodiscard]] PatchFriction sum(const PatchTwist& twist, PatchPoint reference, PatchPoint factors,
+                                  double& lost) const noexcept {
     PatchFriction friction;
     for (const PatchLoad& point : loads) {
       const double x = point.x - reference.x;
       const double y = point.y - reference.y;
       auto [ux, uy] = velocity_at(twist, x, y);
       // Within the rounding of the twist the COR is on the point, which then bears no force.
-      if (std::fabs(ux) <= 2.0 * epsilon * std::fabs(twist.vx) && std::fabs(uy) <= 2.0 * epsilon * std::fabs(twist.vy)) {
+      if (std::fabs(ux) <= 2.0 * epsilon * std::fabs(twist.vx) &&
+          std::fabs(uy) <= 2.0 * epsilon * std::fabs(twist.vy)) {
         if (ux != 0.0 || uy != 0.0) lost += point.load;
         continue;
       }
@@ -95,7 +98,8 @@ struct Points final : Shape {
   [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
     double lost = 0.0;
     (void)evaluate(twist, lost);
-    return rounding(loads.size(), radius, moment_ratio) + lost * (1.0 + (moment_ratio > 0.0 ? radius / moment_ratio : 0.0));
+    return rounding(loads.size(), radius, moment_ratio) +
+           lost * (1.0 + (moment_ratio > 0.0 ? radius / moment_ratio : 0.0));
   }
   [[nodiscard]] PatchFriction about_origin(const PatchTwist& twist, PatchPoint factors) const noexcept override {
     double lost = 0.0;
@@ -103,7 +107,8 @@ struct Points final : Shape {
     friction.wrench.fx *= factors.x;
     friction.wrench.fy *= factors.y;
     const double reach = radius + std::hypot(centre.x, centre.y);
-    friction.error = rounding(loads.size(), reach, moment_ratio) + lost * (1.0 + (moment_ratio > 0.0 ? reach / moment_ratio : 0.0));
+    friction.error =
+        rounding(loads.size(), reach, moment_ratio) + lost * (1.0 + (moment_ratio > 0.0 ? reach / moment_ratio : 0.0));
     return friction;
   }
 
@@ -126,7 +131,8 @@ struct SoftPoints final : Shape {
   std::vector<double> weights;
   double softness;  ///< ε²
 
-  SoftPoints(std::vector<PatchLoad> points, double point_radius) : loads(std::move(points)), softness(point_radius * point_radius) {
+  SoftPoints(std::vector<PatchLoad> points, double point_radius)
+      : loads(std::move(points)), softness(point_radius * point_radius) {
     centre = normalise(loads);
     for (const PatchLoad& point : loads) {
       xs.push_back(point.x - centre.x);
@@ -139,9 +145,12 @@ struct SoftPoints final : Shape {
 
   [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept override {
     if (only_slides(twist, radius)) return sliding(twist);
-    return sum_soft_points(xs.data(), ys.data(), weights.data(), xs.size(), twist, softness * twist.omega * twist.omega);
+    return sum_soft_points(xs.data(), ys.data(), weights.data(), xs.size(), twist,
+                           softness * twist.omega * twist.omega);
   }
-  [[nodiscard]] double error(const PatchTwist&) const noexcept override { return rounding(loads.size(), radius, moment_ratio); }
+  [[nodiscard]] double error(const PatchTwist&) const noexcept override {
+    return rounding(loads.size(), radius, moment_ratio);
+  }
   [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
     return std::make_shared<SoftPoints>(stretch_loads(loads, sx, sy), std::sqrt(softness * sx * sy));
   }
@@ -169,7 +178,9 @@ std::shared_ptr<Shape> make_points(std::span<const PatchLoad> loads) {
     if (load > 0.0) pressed.push_back(loads[i]);
   }
   if (loads.empty()) throw std::invalid_argument("no points, expected at least one");
-  if (pressed.empty()) throw std::invalid_argument("all " + std::to_string(loads.size()) + " points have load 0, expected one of load > 0");
+  if (pressed.empty())
+    throw std::invalid_argument("all " + std::to_string(loads.size()) +
+                                " points have load 0, expected one of load > 0");
   require_size(std::span<const PatchLoad>(pressed));
   return std::make_shared<Points>(std::move(pressed));
 }

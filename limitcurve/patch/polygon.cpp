@@ -18,8 +18,8 @@ namespace {
 /// With the COR beyond this many radii the closed edge integrals lose digits; Gauss quadrature on the edges does not.
 constexpr double far = 3.0;
 
-/// Gauss–Legendre's rule of 10 points on [−1, 1]. With the COR three radii away the nearest singularity lies 2.8 half-edges from the
-/// middle: relative error 5.5^(−20) = 2e-15 of an integral that is small itself.
+/// Gauss–Legendre's rule of 10 points on [−1, 1]. With the COR three radii away the nearest singularity lies 2.8
+/// half-edges from the middle: relative error 5.5^(−20) = 2e-15 of an integral that is small itself.
 struct EdgeRule {
   std::array<double, 10> place;
   std::array<double, 10> weight;
@@ -34,10 +34,11 @@ struct EdgeRule {
   }
 };
 
-/// Uniform pressure on a simple polygon: by the divergence theorem, with y = x − c, outward normals n, d = n·y and p = n·x on an edge,
+/// Uniform pressure on a simple polygon: by the divergence theorem, with y = x − c, outward normals n, d = n·y and p =
+/// n·x on an edge,
 ///   A⟨ŷ⟩ = Σ n J,  A⟨|y|⟩ = Σ d J/3,  A⟨x·ŷ⟩ = Σ J (p/3 + ⅔ n·c),  J = ∫ |y| ds.
-/// Far away |y| is replaced by q = |y| + ĉ·y = (ĉ⊥·x)²/(|y| − ĉ·y), which is small and positive. The linear function that is left has known
-/// means: −ĉ in ⟨ŷ⟩, |c| in ⟨|y|⟩, none in ⟨x·ŷ⟩.
+/// Far away |y| is replaced by q = |y| + ĉ·y = (ĉ⊥·x)²/(|y| − ĉ·y), which is small and positive. The linear function
+/// that is left has known means: −ĉ in ⟨ŷ⟩, |c| in ⟨|y|⟩, none in ⟨x·ŷ⟩.
 struct Polygon final : Shape {
   struct Edge {
     double x, y;    ///< first vertex, from the centre of pressure
@@ -63,7 +64,8 @@ struct Polygon final : Shape {
       const double dx = to.x - from.x;
       const double dy = to.y - from.y;
       const double length = std::hypot(dx, dy);
-      edges.push_back({x, y, dx / length, dy / length, length, (x * dy - y * dx) / length, 2.0 * (x * dx + y * dy) / length + length});
+      edges.push_back({x, y, dx / length, dy / length, length, (x * dy - y * dx) / length,
+                       2.0 * (x * dx + y * dy) / length + length});
       radius = std::max(radius, std::hypot(x, y));
       perimeter += length;
     }
@@ -106,14 +108,16 @@ struct Polygon final : Shape {
     const PatchPoint cor{-twist.vy / twist.omega, twist.vx / twist.omega};
     const double distance = std::hypot(cor.x, cor.y);
     if (distance <= far * radius) {
-      const EdgeSums sums = pairwise(0, edges.size(), [&](std::size_t first, std::size_t last) { return near_sums(first, last, cor); });
+      const EdgeSums sums =
+          pairwise(0, edges.size(), [&](std::size_t first, std::size_t last) { return near_sums(first, last, cor); });
       return from_distance(twist.omega, sums.mean / (3.0 * whole_area), {sums.gx / whole_area, sums.gy / whole_area},
                            sums.moment / whole_area);
     }
-    const EdgeSums sums =
-        pairwise(0, edges.size(), [&](std::size_t first, std::size_t last) { return far_sums(first, last, cor, distance); });
+    const EdgeSums sums = pairwise(
+        0, edges.size(), [&](std::size_t first, std::size_t last) { return far_sums(first, last, cor, distance); });
     return from_distance(twist.omega, distance + sums.mean / (3.0 * whole_area),
-                         {sums.gx / whole_area - cor.x / distance, sums.gy / whole_area - cor.y / distance}, sums.moment / whole_area);
+                         {sums.gx / whole_area - cor.x / distance, sums.gy / whole_area - cor.y / distance},
+                         sums.moment / whole_area);
   }
 
   /// The sums over the edges; J of each is `integral`, n·c is `nc`.
@@ -211,8 +215,10 @@ std::shared_ptr<Shape> make_polygon(std::span<const PatchPoint> vertices) {
   const auto fits = [](double coordinate) { return std::fabs(coordinate) <= most_length; };
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::string place = "vertex " + std::to_string(i + 1) + ": ";
-    if (!fits(vertices[i].x)) throw std::invalid_argument(place + out_of_range("x", vertices[i].x, "m", "-1e100 <= x <= 1e100").what());
-    if (!fits(vertices[i].y)) throw std::invalid_argument(place + out_of_range("y", vertices[i].y, "m", "-1e100 <= y <= 1e100").what());
+    if (!fits(vertices[i].x))
+      throw std::invalid_argument(place + out_of_range("x", vertices[i].x, "m", "-1e100 <= x <= 1e100").what());
+    if (!fits(vertices[i].y))
+      throw std::invalid_argument(place + out_of_range("y", vertices[i].y, "m", "-1e100 <= y <= 1e100").what());
     if (i > 0 && same(vertices[i], vertices[i - 1])) {
       throw std::invalid_argument(place + "equal to vertex " + std::to_string(i) + ", expected another place");
     }

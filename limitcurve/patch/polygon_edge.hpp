@@ -5,8 +5,9 @@
 
 namespace limitcurve::patch {
 
-/// J = ∫ r ds along a straight edge of length ℓ > 0; r is the distance from the COR. r₁ and r₂ are the distances of the ends, d that of the
-/// line, and `along` is s₁ + s₂, the ends' coordinates along the line from the point nearest the COR. Every term is positive:
+/// J = ∫ r ds along a straight edge of length ℓ > 0; r is the distance from the COR. r₁ and r₂ are the distances of the
+/// ends, d that of the line, and `along` is s₁ + s₂, the ends' coordinates along the line from the point nearest the
+/// COR. Every term is positive:
 ///   J = ½[s₂r₂ − s₁r₁ + d² ln((r₁ + r₂ + ℓ)/(r₁ + r₂ − ℓ))],  s₂r₂ − s₁r₁ = ½ℓ[(r₁ + r₂) + (s₁ + s₂)²/(r₁ + r₂)].
 [[nodiscard]] inline double edge_integral(double r1, double r2, double length, double along, double d) noexcept {
   const double sum = r1 + r2;

@@ -12,7 +12,8 @@ namespace limitcurve::patch {
 
 namespace {
 
-/// The turn of the path a, b, c: 1 left, −1 right, 0 straight or not distinguishable from straight in extended precision.
+/// The turn of the path a, b, c: 1 left, −1 right, 0 straight or not distinguishable from straight in extended
+/// precision.
 int turn(const PatchPoint& a, const PatchPoint& b, const PatchPoint& c) {
   const Extended left = (Extended(b.x) - a.x) * (Extended(c.y) - a.y);
   const Extended right = (Extended(b.y) - a.y) * (Extended(c.x) - a.x);
@@ -59,7 +60,8 @@ void check_simple(std::span<const PatchPoint> vertices) {
                                   ": its two edges lie on each other and enclose no area, expected a simple polygon");
     }
   }
-  // Sweep along x, edges in order of their left ends: compare an edge only with those whose range of x overlaps its own.
+  // Sweep along x, edges in order of their left ends: compare an edge only with those whose range of x overlaps its
+  // own.
   const auto left = [&](std::size_t i) { return std::min(vertex(i).x, vertex(i + 1).x); };
   const auto right = [&](std::size_t i) { return std::max(vertex(i).x, vertex(i + 1).x); };
   std::vector<std::size_t> order(count);

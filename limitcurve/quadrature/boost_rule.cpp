@@ -17,7 +17,8 @@ namespace {
 namespace policies = boost::math::policies;
 /// NaN in place of exceptions, and no detour by long double.
 using Quiet = policies::policy<policies::promote_double<false>, policies::domain_error<policies::ignore_error>,
-                               policies::overflow_error<policies::ignore_error>, policies::evaluation_error<policies::ignore_error>>;
+                               policies::overflow_error<policies::ignore_error>,
+                               policies::evaluation_error<policies::ignore_error>>;
 
 /// The kernels of docs/theory.md by Carlson's integrals: (2/π)·E, (2/π)·qB and the slope's (2/π)·D, by B + (1−q²)D = E.
 UnitForces<double> ring_kernel_by_carlson(double rho, double s, double from_cor) {
@@ -32,8 +33,8 @@ UnitForces<double> ring_kernel_by_carlson(double rho, double s, double from_cor)
   return {scale * q * b, scale * rho * e, scale * d / rho};
 }
 
-/// ∫₀^length of integrand(from_left, from_right) ≥ 0, and a bound on its error: Boost's estimate, which is that of the last row but
-/// one, and the rounding of the kernels and the pressure.
+/// ∫₀^length of integrand(from_left, from_right) ≥ 0, and a bound on its error: Boost's estimate, which is that of the
+/// last row but one, and the rounding of the kernels and the pressure.
 template <class Integrand>
 std::pair<double, double> integrate_by_boost(const Integrand& integrand, double length, double tolerance) {
   static boost::math::quadrature::tanh_sinh<double, Quiet> rule;
@@ -77,7 +78,8 @@ Quadrature<double> boost(const PressureLaw& law, double s, Slope slope, double t
       const double rim = (outer - right) + from_right;
       const double from_cor = s <= left ? (left - s) + from_left : (s - right) + from_right;
       const double weight = exponent != 0.0 && !is_last ? std::pow(rim, exponent) : scale;
-      return 2.0 * rho * law.density(RadialPosition<double>{rho, rim}) * weight * ring_kernel_by_carlson(rho, s, from_cor).*part;
+      return 2.0 * rho * law.density(RadialPosition<double>{rho, rim}) * weight *
+             ring_kernel_by_carlson(rho, s, from_cor).*part;
     };
     const auto [value, error] = integrate_by_boost(integrand, length, tolerance);
     sum.forces.*part += value;
@@ -88,7 +90,8 @@ Quadrature<double> boost(const PressureLaw& law, double s, Slope slope, double t
     const auto left = static_cast<double>(breaks[i]);
     const auto right = static_cast<double>(breaks[i + 1]);
     const double split = std::clamp(s, left, right);
-    for (const Part part : {&UnitForces<double>::force, &UnitForces<double>::moment, &UnitForces<double>::force_slope}) {
+    for (const Part part :
+         {&UnitForces<double>::force, &UnitForces<double>::moment, &UnitForces<double>::force_slope}) {
       if (part == &UnitForces<double>::force_slope && slope == Slope::unwanted) continue;
       if (left < split) add(left, split, part);
       if (split < right) add(split, right, part);

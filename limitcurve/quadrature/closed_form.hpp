@@ -9,11 +9,14 @@
 
 /// Closed forms of the unit wrench, one function for each pressure law: f, m and df/ds at s = c/a ∈ [0, ∞].
 ///
-/// Almost all sums have positive terms only. In the textbook forms terms cancel, and all digits of m are lost as s → ∞. Three branches:
+/// Almost all sums have positive terms only. In the textbook forms terms cancel, and all digits of m are lost as s → ∞.
+/// Three branches:
 ///   s ≤ 1        the COR is under the finger: polynomial, or elliptic integrals of modulus s;
 ///   1 < s² ≤ 2   the closed form for a COR outside, in τ = s² − 1 = (s−1)(s+1), which is exact near the rim;
-///   s² > 2       the series in pressure moments (moment_series.hpp), which converges fast and keeps the relative precision of m.
-/// Relative error of f and m: ≤ 8 ε of Real, the cone's m ≤ 16 ε. df/ds: ≤ 64 ε. Cost: limitcurve/README.md, "Evaluators".
+///   s² > 2       the series in pressure moments (moment_series.hpp), which converges fast and keeps the relative
+///                precision of m.
+/// Relative error of f and m: ≤ 8 ε of Real, the cone's m ≤ 16 ε. df/ds: ≤ 64 ε. Cost: limitcurve/README.md,
+/// "Evaluators".
 namespace limitcurve::closed_form {
 
 inline constexpr long double pi = 3.141592653589793238462643383279502884L;
@@ -27,7 +30,8 @@ UnitForces<Real> hertz(Real s) noexcept {
   if (s <= 1) {
     const Real z = s * s;
     const Real scale = Real(3 * pi / 16);
-    return {2 * scale * s * (1 - z / 4), scale * ((1 - s) * (1 + s) + Real(0.375) * z * z), 2 * scale * (1 - Real(0.75) * z)};
+    return {2 * scale * s * (1 - z / 4), scale * ((1 - s) * (1 + s) + Real(0.375) * z * z),
+            2 * scale * (1 - Real(0.75) * z)};
   }
   if (s * s > Real(series_from)) return outside_series<PowerMoments<1, 2>>(s);
   const Real tau = (s - 1) * (s + 1);
@@ -76,7 +80,8 @@ UnitForces<Real> parabolic(Real s) noexcept {
     const Real eta = (1 - s) * (1 + s);
     const auto [b, d] = elliptic_pair(s, eta);
     const Real e = b + eta * d;
-    return {8 * scale * s * ((8 + 4 * eta) * e + (6 + 2 * z) * b), 16 * scale / 5 * ((4 + (3 + 8 * eta) * eta) * e + 4 * z * (1 + eta) * b),
+    return {8 * scale * s * ((8 + 4 * eta) * e + (6 + 2 * z) * b),
+            16 * scale / 5 * ((4 + (3 + 8 * eta) * eta) * e + 4 * z * (1 + eta) * b),
             8 * scale * ((4 + 8 * eta) * b + (2 + 16 * eta) * eta * d)};
   }
   const Real q = 1 / s;
@@ -93,7 +98,8 @@ UnitForces<Real> parabolic(Real s) noexcept {
 template <std::floating_point Real>
 UnitForces<Real> cone(Real s) noexcept {
   if (s <= 1) {
-    return {s * (Real(pi / 2) - 2 * s / 3), Real(pi / 6) - s * s * (Real(pi / 4) - 4 * s / 9), Real(pi / 2) - 4 * s / 3};
+    return {s * (Real(pi / 2) - 2 * s / 3), Real(pi / 6) - s * s * (Real(pi / 4) - 4 * s / 9),
+            Real(pi / 2) - 4 * s / 3};
   }
   if (s * s > Real(series_from)) return outside_series<ConeMoments>(s);
   const Real tau = (s - 1) * (s + 1);

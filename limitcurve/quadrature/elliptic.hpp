@@ -19,8 +19,9 @@ struct EllipticPair {
 
 /// B and D of modulus q ∈ [0, 1] by one arithmetic–geometric mean (DLMF 19.8.1 and 19.8.6, with each c_n divided by
 /// q so that nothing cancels as q → 0). `complement` is 1 − q², passed so that it keeps its digits as q → 1.
-/// Relative error ≤ 8 ε in both. At q = 1, B = 1 and D is that of the smallest normal complement: D → ∞ logarithmically, and callers
-/// multiply it by a factor that vanishes. At most 16 steps, usually 5: 20 to 40 ns in double.
+/// Relative error ≤ 8 ε in both. At q = 1, B = 1 and D is that of the smallest normal complement: D → ∞
+/// logarithmically, and callers multiply it by a factor that vanishes. At most 16 steps, usually 5: 20 to 40 ns in
+/// double.
 template <class Real>
 EllipticPair<Real> elliptic_pair(Real q, Real complement) noexcept {
   constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
@@ -43,8 +44,8 @@ EllipticPair<Real> elliptic_pair(Real q, Real complement) noexcept {
   }
   const Real k = half_pi / a;
   if (complement < Real(1) / 64) {
-    // As q → 1, sum → 1 and K → ∞, so that K(1 − sum) cancels. Use Legendre's relation (DLMF 19.7.1) with the integrals of the
-    // complementary modulus, B = (π/2 − (1−q²)K(q)B(q'))/(q²K(q')); their mean converges in two steps.
+    // As q → 1, sum → 1 and K → ∞, so that K(1 − sum) cancels. Use Legendre's relation (DLMF 19.7.1) with the integrals
+    // of the complementary modulus, B = (π/2 − (1−q²)K(q)B(q'))/(q²K(q')); their mean converges in two steps.
     const EllipticPair<Real> other = elliptic_pair(std::sqrt(complement), q * q);
     const Real b = (half_pi - complement * k * other.b) / (q * q * other.first_kind());
     return {b, k - b};

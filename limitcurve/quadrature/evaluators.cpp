@@ -41,7 +41,8 @@ Sums<Real> loaded(Real load, const Triple<Real>& of_unit_load) noexcept {
 /// where the pressure is not: so what is missing of the load tells their errors, four times if
 /// rings hide each other.
 template <class Real>
-Quadrature<Real> checked_by_load(Sums<Real> value, Sums<Real> error, const Sums<Real>& wavering, const std::array<Real, 2>& most) noexcept {
+Quadrature<Real> checked_by_load(Sums<Real> value, Sums<Real> error, const Sums<Real>& wavering,
+                                 const std::array<Real, 2>& most) noexcept {
   constexpr Real rounding = sizeof(Real) > sizeof(double) ? Real(1e-15L) : Real(1e-13);
   const Real missing = std::fabs(1 - value[3]);
   if (!(missing <= rounding)) {
@@ -54,9 +55,9 @@ Quadrature<Real> checked_by_load(Sums<Real> value, Sums<Real> error, const Sums<
   return {{value[0], value[1], value[2]}, {error[0], error[1], error[2]}};
 }
 
-/// Sums ∫ kernel(position) dρ over the pieces between the breaks, split at s. The integrand is the kernel times rim^e with e =
-/// `rim_exponent` ≤ 0: on the last piece the substitution rim ∝ y^{1/(1+e)} absorbs that factor
-/// exactly. The kernel returns `Sums`.
+/// Sums ∫ kernel(position) dρ over the pieces between the breaks, split at s. The integrand is the kernel times rim^e
+/// with e = `rim_exponent` ≤ 0: on the last piece the substitution rim ∝ y^{1/(1+e)} absorbs that factor exactly. The
+/// kernel returns `Sums`.
 template <class Real, class Kernel>
 Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_exponent, Real s, std::size_t wanted,
                                   Kernel&& kernel) noexcept {
@@ -127,7 +128,8 @@ Quadrature<Real> ring_in(const PressureLaw& law, Real s, Slope slope) noexcept {
                             const Real rho = position.at.radius;
                             // The contribution is negligible there, and an unbounded density would overflow.
                             if (rho < std::numeric_limits<Real>::min()) return {0, 0, 0, 0};
-                            return loaded(2 * rho * usable(law.density(position.at)), ring_kernel(rho, s, position.from_cor));
+                            return loaded(2 * rho * usable(law.density(position.at)),
+                                          ring_kernel(rho, s, position.from_cor));
                           });
 }
 
@@ -146,18 +148,20 @@ UnitWrench ring_wrench(double rho, double s) noexcept {
 }
 
 Quadrature<Extended> punch(const PressureLaw& law, Extended s) noexcept {
-  return integrate_pieces(law.breaks(), law.punch_exponent(), s, 3, [&](const SplitPosition<Extended>& position) -> Sums<Extended> {
-    const Extended t = position.at.radius;
-    const UnitForces<Extended> flat = closed_form::flat_punch(s / t);
-    return loaded(usable(law.punch_density(position.at).value_or(0)), {flat.force, t * flat.moment, flat.force_slope / t});
-  });
+  return integrate_pieces(law.breaks(), law.punch_exponent(), s, 3,
+                          [&](const SplitPosition<Extended>& position) -> Sums<Extended> {
+                            const Extended t = position.at.radius;
+                            const UnitForces<Extended> flat = closed_form::flat_punch(s / t);
+                            return loaded(usable(law.punch_density(position.at).value_or(0)),
+                                          {flat.force, t * flat.moment, flat.force_slope / t});
+                          });
 }
 
 Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
   if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
   Triple<Extended> inner_error{};
-  Quadrature<Extended> estimate =
-      integrate_pieces(law.breaks(), law.rim_exponent(), s, 3, [&](const SplitPosition<Extended>& position) -> Sums<Extended> {
+  Quadrature<Extended> estimate = integrate_pieces(
+      law.breaks(), law.rim_exponent(), s, 3, [&](const SplitPosition<Extended>& position) -> Sums<Extended> {
         const auto [rho, rim] = position.at;
         const Extended load = 2 * rho * usable(law.density(position.at));
         const Extended gap = rho < s ? position.from_cor : -position.from_cor;  // s − ρ
@@ -170,7 +174,8 @@ Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
               const Extended across = gap + rho * versine;  // s − ρ cos θ
               const Extended along = -gap + s * versine;    // ρ − s cos θ
               const Extended sine = 2 * half * std::cos(from_cor_side / 2);
-              return {across / distance, rho * along / distance, (rho * sine / distance) * (rho * sine / distance) / distance};
+              return {across / distance, rho * along / distance,
+                      (rho * sine / distance) * (rho * sine / distance) / distance};
             },
             pi);
         Triple<Extended> mean{};
@@ -180,7 +185,8 @@ Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
         }
         return loaded(load, mean);
       });
-  // The angular errors have the weight ∫ 2ρ g dρ = 1. The integrand changes sign, so the rounding error is absolute, not relative.
+  // The angular errors have the weight ∫ 2ρ g dρ = 1. The integrand changes sign, so the rounding error is absolute,
+  // not relative.
   constexpr Extended rounding = 16 * std::numeric_limits<Extended>::epsilon();
   estimate.error.force += inner_error[0] / pi + rounding;
   estimate.error.moment += inner_error[1] / pi + rounding;
@@ -188,17 +194,20 @@ Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
 }
 
 Quadrature<double> line_profile(const PressureLaw& law, double t) noexcept {
-  return integrate_pieces(
-      law.breaks(), static_cast<double>(law.rim_exponent()), t, 2, [&](const SplitPosition<double>& position) -> Sums<double> {
-        return loaded(2.0 * position.at.radius * usable(law.density(position.at)), line_kernel(position.at.radius, t, position.from_cor));
-      });
+  return integrate_pieces(law.breaks(), static_cast<double>(law.rim_exponent()), t, 2,
+                          [&](const SplitPosition<double>& position) -> Sums<double> {
+                            return loaded(2.0 * position.at.radius * usable(law.density(position.at)),
+                                          line_kernel(position.at.radius, t, position.from_cor));
+                          });
 }
 
 WrenchEstimate rounded(const Quadrature<Extended>& estimate) noexcept {
   // Half a unit in the last place of the double, plus the rounding of the extended sums.
-  constexpr Extended relative = std::numeric_limits<double>::epsilon() / 2 + 64 * std::numeric_limits<Extended>::epsilon();
+  constexpr Extended relative =
+      std::numeric_limits<double>::epsilon() / 2 + 64 * std::numeric_limits<Extended>::epsilon();
   const auto bound = [](Extended value, Extended truncation) {
-    return static_cast<double>((relative * std::fabs(value) + truncation) * (1 + 1e-15L)) + std::numeric_limits<double>::denorm_min();
+    return static_cast<double>((relative * std::fabs(value) + truncation) * (1 + 1e-15L)) +
+           std::numeric_limits<double>::denorm_min();
   };
   const auto& [forces, error] = estimate;
   return {{static_cast<double>(forces.force), static_cast<double>(forces.moment)},

@@ -27,7 +27,8 @@ template <class Real>
   return {scale * q * b, scale * rho * e, scale * d / rho};
 }
 
-/// G′ and N of a ring of radius ρ that carries the unit load: (2/π) asin(t/ρ) and (2/π)√(ρ² − t²) where t < ρ, else 1 and 0.
+/// G′ and N of a ring of radius ρ that carries the unit load: (2/π) asin(t/ρ) and (2/π)√(ρ² − t²) where t < ρ, else 1
+/// and 0.
 [[nodiscard]] inline Triple<double> line_kernel(double rho, double t, double from_t) noexcept {
   if (rho <= t) return {1.0, 0.0, 0.0};
   constexpr auto scale = static_cast<double>(2 / closed_form::pi);

@@ -11,7 +11,9 @@ namespace limitcurve {
 /// Even moments ⟨ρ^{2k}⟩ of the family (1−ρ²)ⁿ, n = numerator/denominator: k!/(n+2)_k.
 template <int numerator, int denominator>
 struct PowerMoments {
-  static constexpr long double next_ratio(int k) { return (k + 1.0L) / (static_cast<long double>(numerator) / denominator + 2.0L + k); }
+  static constexpr long double next_ratio(int k) {
+    return (k + 1.0L) / (static_cast<long double>(numerator) / denominator + 2.0L + k);
+  }
 };
 
 /// Even moments of the cone law: k!/((k+1)(3/2)_k).
@@ -19,8 +21,8 @@ struct ConeMoments {
   static constexpr long double next_ratio(int k) { return (k + 1.0L) * (k + 1.0L) / ((k + 2.0L) * (1.5L + k)); }
 };
 
-/// Coefficients of the series of the unit wrench outside the rim in z = s⁻²: the power series of the elliptic kernels (DLMF 19.5.1,
-/// 19.5.2), integrated term by term:
+/// Coefficients of the series of the unit wrench outside the rim in z = s⁻²: the power series of the elliptic kernels
+/// (DLMF 19.5.1, 19.5.2), integrated term by term:
 ///   f = Σ e_k ⟨ρ^{2k}⟩ z^k,  e_k = (−½)_k(½)_k/k!²;   m = s⁻¹ Σ b_k ⟨ρ^{2k+2}⟩ z^k,  b_k = ½(½)_k²/((2)_k k!).
 template <class Real, class Moments>
 struct OutsideSeries {

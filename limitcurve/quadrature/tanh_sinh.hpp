@@ -11,8 +11,9 @@
 
 namespace limitcurve {
 
-/// The tanh–sinh rule (Takahasi and Mori 1974): the trapezoidal rule in t of x = tanh u, u = π/2 sinh t, on [−1, 1]. Its own, because one
-/// evaluation of an integrand gives force and moment, and each needs its own error; the rules of libraries integrate one number.
+/// The tanh–sinh rule (Takahasi and Mori 1974): the trapezoidal rule in t of x = tanh u, u = π/2 sinh t, on [−1, 1].
+/// Its own, because one evaluation of an integrand gives force and moment, and each needs its own error; the rules of
+/// libraries integrate one number.
 template <class Real>
 class TanhSinhRule {
  public:
@@ -25,7 +26,8 @@ class TanhSinhRule {
   /// Step of the first row; each further one halves it, down to 2^−7.
   static constexpr Real first_step = Real(0.5);
 
-  /// It is built on first use, and the constructor of every law uses it first; later calls do not allocate, throw or lock.
+  /// It is built on first use, and the constructor of every law uses it first; later calls do not allocate, throw or
+  /// lock.
   [[nodiscard]] static const TanhSinhRule& get() {
     static const TanhSinhRule rule;
     return rule;
@@ -36,8 +38,8 @@ class TanhSinhRule {
  private:
   TanhSinhRule() {
     constexpr Real half_pi = Real(1.570796326794896619231321691639751442L);
-    // Smallest distance from an end. The most peaked law (xydas-kao:k=0.01) has its scale at 2^−100 of the radius, and below 1e-60
-    // of it a part in 4e13 of its force.
+    // Smallest distance from an end. The most peaked law (xydas-kao:k=0.01) has its scale at 2^−100 of the radius, and
+    // below 1e-60 of it a part in 4e13 of its force.
     constexpr Real least = Real(1e-80L);
     Real step = first_step;
     for (std::size_t row = 0; row < rows_.size(); ++row, step /= 2) {
@@ -64,14 +66,16 @@ struct Integrals {
   std::array<Real, count> wavering{};
 };
 
-/// ∫₀^length of `integrand(from_left, from_right)`, an array of `count` numbers. The distances from both ends keep their digits. Split the
-/// interval at singularities inside it. A component that is NaN gives NaN.
+/// ∫₀^length of `integrand(from_left, from_right)`, an array of `count` numbers. The distances from both ends keep
+/// their digits. Split the interval at singularities inside it. A component that is NaN gives NaN.
 ///
-/// Rows are added until two agree in the first `wanted` components to 2e-17 of the integral, in double to 1e-14. The error is the difference
-/// of the last two rows, which is much larger than the error of the last. The rule leaves out 1e-80 of the half interval at each end: an
-/// integrand may grow there like (distance)^−½, not faster. At most 1200 evaluations.
+/// Rows are added until two agree in the first `wanted` components to 2e-17 of the integral, in double to 1e-14. The
+/// error is the difference of the last two rows, which is much larger than the error of the last. The rule leaves out
+/// 1e-80 of the half interval at each end: an integrand may grow there like (distance)^−½, not faster. At most 1200
+/// evaluations.
 template <std::size_t count, class Real, class Integrand>
-[[nodiscard]] Integrals<count, Real> integrate(const Integrand& integrand, Real length, std::size_t wanted = count) noexcept {
+[[nodiscard]] Integrals<count, Real> integrate(const Integrand& integrand, Real length,
+                                               std::size_t wanted = count) noexcept {
   constexpr Real agreement = sizeof(Real) > sizeof(double) ? Real(2e-17L) : Real(1e-14);
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
   const Real half = length / 2;

@@ -7,8 +7,8 @@
 
 namespace limitcurve::table {
 
-/// The smallest Bernstein coefficient of the polynomial Σ aᵢ uⁱ of degree 4 on [0, 1]: b_j = Σ_{i ≤ j} C(j,i)/C(4,i) aᵢ. It is a lower
-/// bound of the polynomial on [0, 1].
+/// The smallest Bernstein coefficient of the polynomial Σ aᵢ uⁱ of degree 4 on [0, 1]: b_j = Σ_{i ≤ j} C(j,i)/C(4,i)
+/// aᵢ. It is a lower bound of the polynomial on [0, 1].
 inline Extended least_bernstein_coefficient(const std::array<Extended, 5>& a) noexcept {
   constexpr std::array<std::array<Extended, 5>, 5> choose{
       {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}}};

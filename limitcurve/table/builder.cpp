@@ -71,7 +71,8 @@ class Builder {
     }
   }
 
-  /// Builds both sides from cells that begin anywhere, for singularities inside a side or nearer to an end than the smallest bucket.
+  /// Builds both sides from cells that begin anywhere, for singularities inside a side or nearer to an end than the
+  /// smallest bucket.
   Outcome lay_in_cells() {
     splits_buckets_ = true;
     constexpr int bits = 4;
@@ -102,8 +103,8 @@ class Builder {
 
   [[nodiscard]] int octaves_to_rim() const { return std::max(octaves_to_end(false, true), octaves_to_end(true, true)); }
 
-  /// k such that a piece of width 2^−k fits at an end of a side. The power with which its error falls is estimated from one try to the
-  /// next.
+  /// k such that a piece of width 2^−k fits at an end of a side. The power with which its error falls is estimated from
+  /// one try to the next.
   [[nodiscard]] int octaves_to_end(bool outside, bool rim) const {
     const double most_power = degree_;
     double power = most_power;
@@ -117,7 +118,8 @@ class Builder {
       const Piece here = piece(outside, left, rim ? 1.0 : width, begin.trailing + begin.x * begin.leading);
       if (fits(here)) break;
       const auto error = static_cast<double>(here.error());
-      if (step > 0 && last_error > 0.0 && error > 0.0) power = std::clamp(std::log2(last_error / error) / step, 0.5, most_power);
+      if (step > 0 && last_error > 0.0 && error > 0.0)
+        power = std::clamp(std::log2(last_error / error) / step, 0.5, most_power);
       step = error > target_ ? std::clamp(static_cast<int>(std::ceil(std::log2(error / target_) / power)), 1, 6) : 1;
       last_error = error;
       k += step;
@@ -209,7 +211,8 @@ class Builder {
     return bytes_of<Real>(sides_[0].size() + sides_[1].size(), degree_, buckets_) <= most_bytes_;
   }
 
-  /// Makes D end at `value`: bends the widest piece that stays convex, and raises those after it. False if there is none.
+  /// Makes D end at `value`: bends the widest piece that stays convex, and raises those after it. False if there is
+  /// none.
   static bool end_at(std::vector<Piece>& side, Extended value) {
     const Extended rise = value - side.back().end();
     // Rounding is left: on a nearly straight side only a piece too narrow to bend may stay convex.
@@ -239,8 +242,9 @@ class Builder {
   std::array<std::vector<Piece>, 2> sides_;
 };
 
-/// Error bound of the finished table in its own arithmetic: the largest error, plus the error of the exact curve. A maximum of the error is
-/// bracketed by three of the pieces' samples, and found between them, unless it is clearly smaller than another.
+/// Error bound of the finished table in its own arithmetic: the largest error, plus the error of the exact curve. A
+/// maximum of the error is bracketed by three of the pieces' samples, and found between them, unless it is clearly
+/// smaller than another.
 template <class Real>
 double find_error(const Source& source, const BasicTable<Real>& table, const std::array<std::vector<Piece>, 2>& sides) {
   struct Bracket {
@@ -254,8 +258,8 @@ double find_error(const Source& source, const BasicTable<Real>& table, const std
   const auto error_at = [&](bool outside, const Sample& exact) {
     exact_error = std::max(exact_error, exact.error);
     const Jet<Real> jet = table.pieces().jet(outside, static_cast<Real>(exact.x));
-    const auto error =
-        static_cast<double>(std::max(std::fabs(Extended(jet.leading) - exact.leading), std::fabs(Extended(jet.trailing) - exact.trailing)));
+    const auto error = static_cast<double>(
+        std::max(std::fabs(Extended(jet.leading) - exact.leading), std::fabs(Extended(jet.trailing) - exact.trailing)));
     worst = std::max(worst, error);
     return error;
   };
@@ -268,7 +272,8 @@ double find_error(const Source& source, const BasicTable<Real>& table, const std
     for (auto here = std::next(errors.begin()); std::next(here) != errors.end(); ++here) {
       const auto before = std::prev(here);
       const auto after = std::next(here);
-      if (here->second >= std::max(before->second, after->second)) brackets.push_back({here->second, outside, before->first, after->first});
+      if (here->second >= std::max(before->second, after->second))
+        brackets.push_back({here->second, outside, before->first, after->first});
     }
   }
   std::sort(brackets.begin(), brackets.end(), [](const Bracket& a, const Bracket& b) { return a.error > b.error; });
@@ -306,8 +311,8 @@ struct Errors {
 
 /// `build` with a given degree and memory; with `splits_buckets` look-ups search.
 template <class Real>
-std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tolerance, int degree, std::size_t max_bytes,
-                                                bool splits_buckets) {
+std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tolerance, int degree,
+                                                std::size_t max_bytes, bool splits_buckets) {
   auto [allowed, rounding, target] = Errors<Real>(source, tolerance);
   constexpr int attempts = 12;
   double last = std::numeric_limits<double>::infinity();

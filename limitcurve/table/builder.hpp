@@ -12,7 +12,8 @@
 
 namespace limitcurve::table {
 
-/// A point of an exact curve at x, in components of its side: the leading one is the force inside the rim, the moment outside.
+/// A point of an exact curve at x, in components of its side: the leading one is the force inside the rim, the moment
+/// outside.
 struct Sample {
   double x;
   Extended leading;
@@ -33,17 +34,20 @@ struct Source {
   }
 };
 
-/// The table of a curve with |error| ≤ tolerance·max(force_max, m_max), checked in the arithmetic of the table; nothing if that is not
-/// possible within BasicTable::max_bytes. The fastest with at most so many `bytes`, or of degree 6 (TableOptions::preferred_bytes).
+/// The table of a curve with |error| ≤ tolerance·max(force_max, m_max), checked in the arithmetic of the table; nothing
+/// if that is not possible within BasicTable::max_bytes. The fastest with at most so many `bytes`, or of degree 6
+/// (TableOptions::preferred_bytes).
 ///
-/// Each side is built from x = 0 to the rim. In a cell D′ interpolates the curve at Chebyshev–Lobatto nodes, in extended precision; D
-/// is its running integral. So the curve and its normal are continuous by construction. (Hermite interpolation of D would lose digits in
-/// narrow cells.) The error of the integral at the rim is corrected in one cell. A cell covers as many buckets as tolerance and convexity
-/// allow; where the curve is singular inside a side it may be part of a bucket. The Bernstein coefficients of D″ prove convexity.
+/// Each side is built from x = 0 to the rim. In a cell D′ interpolates the curve at Chebyshev–Lobatto nodes, in
+/// extended precision; D is its running integral. So the curve and its normal are continuous by construction. (Hermite
+/// interpolation of D would lose digits in narrow cells.) The error of the integral at the rim is corrected in one
+/// cell. A cell covers as many buckets as tolerance and convexity allow; where the curve is singular inside a side it
+/// may be part of a bucket. The Bernstein coefficients of D″ prove convexity.
 template <class Real>
 [[nodiscard]] std::optional<BasicTable<Real>> build(const Source& source, double tolerance, std::size_t bytes);
 
-/// The table of a law at a tolerance; if there is none, at 10, 100, … times that. Each is tried once. Throws like Table::build.
+/// The table of a law at a tolerance; if there is none, at 10, 100, … times that. Each is tried once. Throws like
+/// Table::build.
 [[nodiscard]] Table finest(const Law& law, double tolerance);
 
 extern template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);

@@ -16,8 +16,8 @@ namespace limitcurve::table {
 
 namespace {
 
-/// One cell of a table, for the checks of the constructor. Sums are in extended precision. The checks allow for the rounding of the
-/// coefficients, and for nothing else.
+/// One cell of a table, for the checks of the constructor. Sums are in extended precision. The checks allow for the
+/// rounding of the coefficients, and for nothing else.
 struct CheckedCell {
   const TableCell& cell;
   Extended width;
@@ -65,8 +65,8 @@ template <class Real>
 std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std::vector<TableCell>& cells) {
   constexpr Extended epsilon = 4 * Extended(std::numeric_limits<Real>::epsilon());
   const auto refuse = [&](std::size_t i, const std::string& what) {
-    return std::invalid_argument("table, " + name + ", cell " + std::to_string(i + 1) + " (x = " + format_number(cells[i].x) +
-                                 "): " + what);
+    return std::invalid_argument("table, " + name + ", cell " + std::to_string(i + 1) +
+                                 " (x = " + format_number(cells[i].x) + "): " + what);
   };
   if (cells.empty()) throw std::invalid_argument("table, " + name + ": no cells");
   if (cells.front().x != 0.0) throw refuse(0, "expected x = 0");
@@ -80,7 +80,8 @@ std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std:
       throw refuse(i, "expected x in [0, 1), and exact in the table's arithmetic");
     if (i > 0 && !(cells[i].x > cells[i - 1].x)) throw refuse(i, "expected x that increases from cell to cell");
     if (i > 0 && !(cells[i].x - cells[i - 1].x >= narrowest_cell<Real>))
-      throw refuse(i, "expected x larger than that of the cell before by at least " + format_number(double{narrowest_cell<Real>}));
+      throw refuse(i, "expected x larger than that of the cell before by at least " +
+                          format_number(double{narrowest_cell<Real>}));
   }
   for (std::size_t i = 0;; ++i) {
     const bool last = i + 1 == cells.size();
@@ -90,8 +91,10 @@ std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std:
     const auto joins = [&](CheckedCell::Value end, double begin) {
       return std::fabs(end.value - begin) <= epsilon * (end.rounding + std::fabs(begin));
     };
-    if (!joins(here.support(), cells[i + 1].coefficients[0])) throw refuse(i + 1, "expected c0 equal to D at the end of the cell before");
-    if (!joins(here.leading(), cells[i + 1].coefficients[1])) throw refuse(i + 1, "expected c1 equal to D' at the end of the cell before");
+    if (!joins(here.support(), cells[i + 1].coefficients[0]))
+      throw refuse(i + 1, "expected c0 equal to D at the end of the cell before");
+    if (!joins(here.leading(), cells[i + 1].coefficients[1]))
+      throw refuse(i + 1, "expected c1 equal to D' at the end of the cell before");
   }
 }
 
@@ -101,9 +104,11 @@ void check_facts(const TableFacts& facts, double scale) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
       throw std::invalid_argument("the name of the table's law has a control character");
   }
-  if (!(facts.tolerance > 0.0 && facts.tolerance <= 1.0)) throw out_of_range("tolerance", facts.tolerance, "1", "0 < tolerance <= 1");
+  if (!(facts.tolerance > 0.0 && facts.tolerance <= 1.0))
+    throw out_of_range("tolerance", facts.tolerance, "1", "0 < tolerance <= 1");
   if (!(facts.checked_error >= 0.0 && facts.checked_error <= facts.tolerance * scale)) {
-    throw out_of_range("checked_error", facts.checked_error, "1", "0 <= checked_error <= tolerance * max(force_max, moment_max)");
+    throw out_of_range("checked_error", facts.checked_error, "1",
+                       "0 <= checked_error <= tolerance * max(force_max, moment_max)");
   }
   if (!(facts.profile_error >= 0.0 && facts.profile_error <= std::numeric_limits<double>::max())) {
     throw out_of_range("profile_error", facts.profile_error, "1", "0 <= profile_error, and finite");
@@ -129,10 +134,12 @@ void check(const TableFacts& facts, const TableCells& cells) {
   }
   const auto [support, force] = check_side<Real>("inside", cells.inside);
   const auto [other_support, moment] = check_side<Real>("outside", cells.outside);
-  const Extended forgiven =
-      4 * Extended(std::numeric_limits<Real>::epsilon()) * (support.rounding + other_support.rounding + force.rounding + moment.rounding);
-  if (!(std::fabs(support.value - other_support.value) <= forgiven && std::fabs(force.value + moment.value - support.value) <= forgiven)) {
-    throw std::invalid_argument("the two sides of the table differ at the rim (x = 1): expected the same D, force and moment");
+  const Extended forgiven = 4 * Extended(std::numeric_limits<Real>::epsilon()) *
+                            (support.rounding + other_support.rounding + force.rounding + moment.rounding);
+  if (!(std::fabs(support.value - other_support.value) <= forgiven &&
+        std::fabs(force.value + moment.value - support.value) <= forgiven)) {
+    throw std::invalid_argument(
+        "the two sides of the table differ at the rim (x = 1): expected the same D, force and moment");
   }
   const double force_max = cells.outside.front().coefficients[0];
   const double moment_max = cells.inside.front().coefficients[0];
@@ -140,7 +147,8 @@ void check(const TableFacts& facts, const TableCells& cells) {
   constexpr double largest = sizeof(Real) == sizeof(float) ? 1e15 : 1e30;
   for (const double most : {force_max, moment_max}) {
     if (!(most >= 1.0 / largest && most <= largest)) {
-      throw out_of_range("the table's largest force or moment", most, "1", format_number(1.0 / largest) + " to " + format_number(largest));
+      throw out_of_range("the table's largest force or moment", most, "1",
+                         format_number(1.0 / largest) + " to " + format_number(largest));
     }
   }
   check_facts(facts, std::max(force_max, moment_max));

@@ -5,8 +5,8 @@
 
 namespace limitcurve::table {
 
-/// Throws std::invalid_argument, with the fact or the cell, its value and what is expected, unless facts and cells make a BasicTable<Real>:
-/// a convex curve that is continuous with its normal, and an index within its arrays.
+/// Throws std::invalid_argument, with the fact or the cell, its value and what is expected, unless facts and cells make
+/// a BasicTable<Real>: a convex curve that is continuous with its normal, and an index within its arrays.
 template <class Real>
 void check(const TableFacts& facts, const TableCells& cells);
 

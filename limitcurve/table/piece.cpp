@@ -10,7 +10,8 @@
 
 namespace limitcurve::table {
 
-Piece::Piece(const Source& source, bool outside, std::size_t nodes, double left, double right, Extended start, double limit)
+Piece::Piece(const Source& source, bool outside, std::size_t nodes, double left, double right, Extended start,
+             double limit)
     : nodes_(nodes), left_(left), right_(right), start_(start) {
   samples_.reserve(2 * most_nodes + 3);
   for (std::size_t i = 0; i < nodes_; ++i) samples_.push_back(source.at(outside, place(2 * i)));
@@ -20,8 +21,8 @@ Piece::Piece(const Source& source, bool outside, std::size_t nodes, double left,
 
 namespace {
 
-/// |y| on [−1, 1] where the product of the distances from 3 to 6 Chebyshev–Lobatto nodes is largest, and with it the error of an
-/// interpolation: tan((n − 1)θ) = −(n − 1) tan θ, y = cos θ. From the ends on; −1 after the last.
+/// |y| on [−1, 1] where the product of the distances from 3 to 6 Chebyshev–Lobatto nodes is largest, and with it the
+/// error of an interpolation: tan((n − 1)θ) = −(n − 1) tan θ, y = cos θ. From the ends on; −1 after the last.
 constexpr std::array<std::array<double, 3>, 4> extrema{{{0.5773502691896258, -1.0},
                                                         {0.7905694150420949, 0.0, -1.0},
                                                         {0.8775854441999608, 0.3603384355413083, -1.0},
@@ -132,7 +133,8 @@ Extended Piece::least_growth() const noexcept {
 Extended Piece::error_at(const Sample& exact) const noexcept {
   const Extended u = (Extended(exact.x) - left_) / width();
   const Extended slope = leading(u);
-  return std::max(std::fabs(slope - exact.leading), std::fabs(support(u) - exact.x * slope - exact.trailing)) + exact.error;
+  return std::max(std::fabs(slope - exact.leading), std::fabs(support(u) - exact.x * slope - exact.trailing)) +
+         exact.error;
 }
 
 Extended Piece::error() const noexcept {

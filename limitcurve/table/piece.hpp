@@ -7,16 +7,16 @@
 
 namespace limitcurve::table {
 
-/// A cell under construction: D′ = Σ lᵢ uⁱ, i < nodes, and its integral D over [left, right], u = (x − left)/(right − left), in extended
-/// precision.
+/// A cell under construction: D′ = Σ lᵢ uⁱ, i < nodes, and its integral D over [left, right], u = (x − left)/(right −
+/// left), in extended precision.
 class Piece {
  public:
-  /// Interpolates D′ between `left` and `right` at 3 to 6 `nodes`; `start` is D at the left end. Then samples its error, until one is above
-  /// `limit`.
+  /// Interpolates D′ between `left` and `right` at 3 to 6 `nodes`; `start` is D at the left end. Then samples its
+  /// error, until one is above `limit`.
   Piece(const Source& source, bool outside, std::size_t nodes, double left, double right, Extended start, double limit);
 
-  /// Whether a chord may replace the interpolation of D′: next to x = 0, where D′ may begin like a root of x, and where D′ rises by
-  /// rounding only.
+  /// Whether a chord may replace the interpolation of D′: next to x = 0, where D′ may begin like a root of x, and where
+  /// D′ rises by rounding only.
   [[nodiscard]] bool may_be_straight() const noexcept;
   /// Replaces D′ by its chord.
   void straighten();

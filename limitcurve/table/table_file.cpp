@@ -23,10 +23,14 @@ constexpr std::string_view title = "# limitcurve table, format 2";
 constexpr std::string_view piece_columns = "x,force,moment,c0,c1,c2,c3,c4,c5,c6";
 constexpr std::size_t coefficients_from = 3;
 constexpr std::string_view legend =
-    "# One row a polynomial, in the order of the curve from pure spin to pure sliding; and one at x = 1 for each side, the rim.\n"
-    "# c: distance of the centre of rotation, a: contact radius. x = c/a inside the rim, a/c outside. force = F/(mu P),\n"
-    "# moment = M/(mu P a). D(x) = c0 + c1 t + ... + c6 t^6 from the x of the row to the next larger one, t = x - that of the row.\n"
-    "# Inside the rim force = D' and moment = D - x D'; outside moment = D' and force = D - x D': to checked_error. A straight\n"
+    "# One row a polynomial, in the order of the curve from pure spin to pure sliding; and one at x = 1 for each side, "
+    "the rim.\n"
+    "# c: distance of the centre of rotation, a: contact radius. x = c/a inside the rim, a/c outside. force = F/(mu "
+    "P),\n"
+    "# moment = M/(mu P a). D(x) = c0 + c1 t + ... + c6 t^6 from the x of the row to the next larger one, t = x - that "
+    "of the row.\n"
+    "# Inside the rim force = D' and moment = D - x D'; outside moment = D' and force = D - x D': to checked_error. A "
+    "straight\n"
     "# line between two rows: to linear_error.\n";
 
 UnitWrench wrench(const Table& table, bool outside, double x) {
@@ -53,7 +57,9 @@ double error_of_chords(const Table& table, const std::vector<Row>& rows, bool ou
   double worst = 0.0;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
     for (int part = 1; part < parts; ++part) {
-      const auto chord = [&](std::size_t column) { return std::lerp(rows[i][column], rows[i + 1][column], part / double{parts}); };
+      const auto chord = [&](std::size_t column) {
+        return std::lerp(rows[i][column], rows[i + 1][column], part / double{parts});
+      };
       const auto [force, moment] = wrench(table, outside, chord(0));
       worst = std::max({worst, std::fabs(chord(1) - force), std::fabs(chord(2) - moment)});
     }
@@ -65,7 +71,8 @@ double error_of_chords(const Table& table, const std::vector<Row>& rows, bool ou
 double rounded_up(double value) {
   std::array<char, 16> text{};
   // Rounding to two digits reduces a number by at most 1/21, so 1.05 times it is not reduced below `value`.
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value * 1.05, std::chars_format::scientific, 1).ptr;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value * 1.05, std::chars_format::scientific, 1).ptr;
   return parse_number({text.data(), end}).value();
 }
 
@@ -80,7 +87,8 @@ TableContents contents_of(const Table& table) {
                          .inside = rows_of(table, cells.inside, false),
                          .outside = rows_of(table, cells.outside, true)};
   // The largest error at 31 points of a cell is within 1 % of the true maximum.
-  const double chords = 1.01 * std::max(error_of_chords(table, contents.inside, false), error_of_chords(table, contents.outside, true));
+  const double chords =
+      1.01 * std::max(error_of_chords(table, contents.inside, false), error_of_chords(table, contents.outside, true));
   contents.linear_error = rounded_up(chords + table.checked_error());
   std::reverse(contents.outside.begin(), contents.outside.end());
   return contents;
@@ -99,8 +107,9 @@ std::string csv_rows(const TableContents& contents) {
   return text;
 }
 
-constexpr std::array<std::string_view, 9> fact_names{"law",          "tolerance",     "checked_error", "index_bits", "octaves",
-                                                     "linear_error", "profile_error", "version",       "checksum"};
+constexpr std::array<std::string_view, 9> fact_names{"law",           "tolerance", "checked_error",
+                                                     "index_bits",    "octaves",   "linear_error",
+                                                     "profile_error", "version",   "checksum"};
 
 /// The facts that belong to the contents: those before the version.
 std::array<std::string, 7> facts_of(const TableContents& contents) {
@@ -194,7 +203,8 @@ std::optional<std::string_view> fact(std::string_view line, std::string_view nam
 
 std::vector<TableCell> cells_of(const std::vector<Row>& rows, std::string_view side) {
   if (rows.size() < 2 || rows.back()[0] != 1.0) {
-    throw std::invalid_argument("the rows " + std::string(side) + " do not reach the rim: expected rows from x = 0 to x = 1");
+    throw std::invalid_argument("the rows " + std::string(side) +
+                                " do not reach the rim: expected rows from x = 0 to x = 1");
   }
   std::vector<TableCell> cells(rows.size() - 1);
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -207,7 +217,8 @@ std::vector<TableCell> cells_of(const std::vector<Row>& rows, std::string_view s
 }  // namespace
 
 std::string old_key_message(std::string_view law, double tolerance) {
-  return "'" + std::string(old_error_key) + "' is now 'checked_error': make the table anew with limitcurve table --law " + shell_word(law) +
+  return "'" + std::string(old_error_key) +
+         "' is now 'checked_error': make the table anew with limitcurve table --law " + shell_word(law) +
          " --tolerance " + format_number(tolerance) + " -o FILE";
 }
 
@@ -252,13 +263,16 @@ Table read_table_csv(std::string_view text, std::string_view source) {
   do {
     line = reader.line();
   } while (line.starts_with("#"));
-  if (line != "side," + std::string(piece_columns)) reader.fail(1, "expected the header side," + std::string(piece_columns));
+  if (line != "side," + std::string(piece_columns))
+    reader.fail(1, "expected the header side," + std::string(piece_columns));
   while (!reader.at_end()) {
     line = reader.line();
     const std::string_view side = line.substr(0, line.find(','));
-    if (side != "inside" && side != "outside") reader.fail(1, "expected inside or outside, got '" + std::string(side) + "'");
+    if (side != "inside" && side != "outside")
+      reader.fail(1, "expected inside or outside, got '" + std::string(side) + "'");
     const bool inside = side == "inside";
-    if (inside && !contents.outside.empty()) reader.fail(1, "a row inside the rim after rows outside: expected all rows inside first");
+    if (inside && !contents.outside.empty())
+      reader.fail(1, "a row inside the rim after rows outside: expected all rows inside first");
     (inside ? contents.inside : contents.outside).push_back(read_row(reader, line));
   }
   return table_of(contents, sum, source);
@@ -302,7 +316,8 @@ std::string to_json(const Table& table) {
   add("version", quoted(version));
   add("checksum", quoted(checksum(contents)));
   std::string names = quoted(piece_columns);
-  for (std::size_t comma = 0; (comma = names.find(',', comma)) != std::string::npos; comma += 4) names.replace(comma, 1, "\", \"");
+  for (std::size_t comma = 0; (comma = names.find(',', comma)) != std::string::npos; comma += 4)
+    names.replace(comma, 1, "\", \"");
   add("columns", "[" + names + "]");
   const auto side = [](const std::vector<Row>& rows) {
     std::string lines;

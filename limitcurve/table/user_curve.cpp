@@ -19,7 +19,9 @@ struct Place {
   UnitWrench wrench;
 
   [[nodiscard]] SlipTwist twist() const { return SlipTwist::of_spin_fraction(u); }
-  [[nodiscard]] double work(const UnitWrench& other) const { return twist().slide * other.force + twist().spin * other.moment; }
+  [[nodiscard]] double work(const UnitWrench& other) const {
+    return twist().slide * other.force + twist().spin * other.moment;
+  }
   [[nodiscard]] std::string text() const { return "at c/a = " + format_number(twist().cor(), 3); }
 };
 
@@ -30,7 +32,9 @@ double distance(const UnitWrench& one, const UnitWrench& other) {
 }  // namespace
 
 void require_limit_curve(const std::function<UnitWrench(SlipTwist)>& curve, const std::string& name) {
-  const auto refuse = [&](const std::string& what) { return std::invalid_argument("limit curve " + name + ": " + what); };
+  const auto refuse = [&](const std::string& what) {
+    return std::invalid_argument("limit curve " + name + ": " + what);
+  };
   const auto at = [&](double u) { return Place{u, curve(SlipTwist::of_spin_fraction(u))}; };
   constexpr std::size_t count = 129;
   std::vector<Place> places;
@@ -38,8 +42,8 @@ void require_limit_curve(const std::function<UnitWrench(SlipTwist)>& curve, cons
     const Place here = at(static_cast<double>(i) / (count - 1));
     const auto is_component = [](double value) { return value >= 0.0 && std::isfinite(value); };
     if (!is_component(here.wrench.force) || !is_component(here.wrench.moment)) {
-      throw refuse("the wrench (" + format_number(here.wrench.force, 6) + ", " + format_number(here.wrench.moment, 6) + ") " + here.text() +
-                   " has a component that is not a finite number >= 0");
+      throw refuse("the wrench (" + format_number(here.wrench.force, 6) + ", " + format_number(here.wrench.moment, 6) +
+                   ") " + here.text() + " has a component that is not a finite number >= 0");
     }
     places.push_back(here);
   }
@@ -51,7 +55,8 @@ void require_limit_curve(const std::function<UnitWrench(SlipTwist)>& curve, cons
     for (const Place& other : places) {
       if (here.work(other.wrench) <= here.work(here.wrench) + rounding) continue;
       throw refuse("the twist " + here.text() + " does more work on the wrench of the twist " + other.text() +
-                   " than on its own: the curve is not convex there, or its wrench is not the point whose outward normal is the twist");
+                   " than on its own: the curve is not convex there, or its wrench is not the point whose outward "
+                   "normal is the twist");
     }
     Place low = here;
     Place high = places[i + 1];
@@ -66,7 +71,8 @@ void require_limit_curve(const std::function<UnitWrench(SlipTwist)>& curve, cons
       (distance(low.wrench, middle.wrench) > distance(middle.wrench, high.wrench) ? high : low) = middle;
       if (distance(low.wrench, high.wrench) < 0.1 * wide) break;
     }
-    if (high.u - low.u <= 1e-13) throw refuse("a flat face " + low.text() + ": the wrench jumps where the twist hardly changes");
+    if (high.u - low.u <= 1e-13)
+      throw refuse("a flat face " + low.text() + ": the wrench jumps where the twist hardly changes");
   }
 }
 

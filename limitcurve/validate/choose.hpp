@@ -11,28 +11,31 @@ namespace limitcurve {
 
 /// A limit curve that may replace the exact one: its error and its cost.
 struct Candidate {
-  std::string model;   ///< diamond, box, ellipse, table, exact
-  double parameter;    ///< as `limitcurve validate` prints it; the tolerance of a table; nan for the exact curve
-  double error;        ///< largest radial error relative to the exact curve, over or under; inf for a table that cannot be built
+  std::string model;  ///< diamond, box, ellipse, table, exact
+  double parameter;   ///< as `limitcurve validate` prints it; the tolerance of a table; nan for the exact curve
+  double
+      error;  ///< largest radial error relative to the exact curve, over or under; inf for a table that cannot be built
   double nanoseconds;  ///< cost of a wrench from its slip twist
   bool chosen = false;
-  std::string reason = {};  ///< for people: its error if that is too large, "chosen", or its cost compared with the chosen one's
+  std::string reason =
+      {};  ///< for people: its error if that is too large, "chosen", or its cost compared with the chosen one's
 };
 
 /// Costs that differ by less than this fraction are a tie: a measurement scatters as much.
 inline constexpr double cost_tie = 0.05;
 
-/// All candidates for `law`, sorted by cost. `chosen` marks the cheapest one whose error is at most `tolerance`; of a tie, the one with
-/// the smallest error. One is always chosen, because the exact curve has error 0. Errors leave out the profile_error() of a measured
-/// pressure. godobject/scene/choose_step.hpp chooses for a whole scene, projection included.
+/// All candidates for `law`, sorted by cost. `chosen` marks the cheapest one whose error is at most `tolerance`; of a
+/// tie, the one with the smallest error. One is always chosen, because the exact curve has error 0. Errors leave out
+/// the profile_error() of a measured pressure. godobject/scene/choose_step.hpp chooses for a whole scene, projection
+/// included.
 ///
-/// Costs are constants (internal/shipped_costs.hpp), measured on one machine, so the choice is the same on every machine: compare them, do
-/// not rely on them. Takes a millisecond for a closed form, a second by quadrature. Throws std::invalid_argument for a tolerance outside
-/// [1e-10, 1] or a law that `checked` rejects.
+/// Costs are constants (internal/shipped_costs.hpp), measured on one machine, so the choice is the same on every
+/// machine: compare them, do not rely on them. Takes a millisecond for a closed form, a second by quadrature. Throws
+/// std::invalid_argument for a tolerance outside [1e-10, 1] or a law that `checked` rejects.
 std::vector<Candidate> choose(const Law& law, double tolerance);
 
-/// Sorts candidates by cost, marks the cheapest whose error is at most `tolerance`, if there is one (of a tie, the one with the smallest
-/// error), and sets each reason.
+/// Sorts candidates by cost, marks the cheapest whose error is at most `tolerance`, if there is one (of a tie, the one
+/// with the smallest error), and sets each reason.
 void choose_cheapest(std::vector<Candidate>& candidates, double tolerance);
 
 /// A fraction as text: "6.4 %", "0.9 %"; below 0.01 % "1.0e-06".

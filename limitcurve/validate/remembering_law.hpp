@@ -10,8 +10,8 @@
 
 namespace limitcurve {
 
-/// A law that keeps the wrenches of `forces`, for work that compares many models with it at the same CORs: by quadrature a wrench costs up to
-/// 0.2 ms. It allocates and locks, so it is no law of a loop.
+/// A law that keeps the wrenches of `forces`, for work that compares many models with it at the same CORs: by
+/// quadrature a wrench costs up to 0.2 ms. It allocates and locks, so it is no law of a loop.
 class RememberingLaw final : public PressureLaw {
  public:
   explicit RememberingLaw(Law law) : law_(std::move(law)) {}
@@ -21,8 +21,12 @@ class RememberingLaw final : public PressureLaw {
   double density(RadialPosition<double> position) const noexcept override { return law_->density(position); }
   Extended rim_exponent() const noexcept override { return law_->rim_exponent(); }
   const std::vector<Extended>& breaks() const noexcept override { return law_->breaks(); }
-  std::optional<UnitForces<Extended>> closed(Extended s, Slope slope) const noexcept override { return law_->closed(s, slope); }
-  std::optional<Extended> punch_density(RadialPosition<Extended> position) const noexcept override { return law_->punch_density(position); }
+  std::optional<UnitForces<Extended>> closed(Extended s, Slope slope) const noexcept override {
+    return law_->closed(s, slope);
+  }
+  std::optional<Extended> punch_density(RadialPosition<Extended> position) const noexcept override {
+    return law_->punch_density(position);
+  }
   Extended punch_exponent() const noexcept override { return law_->punch_exponent(); }
   UnitForces<double> forces(double s, Slope slope) const noexcept override {
     if (slope == Slope::wanted) return law_->forces(s, slope);

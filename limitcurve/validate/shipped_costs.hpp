@@ -6,14 +6,17 @@
 #include <limits>
 #include <string_view>
 
-/// What models cost on one machine, mean nanoseconds: read them as ratios. Written by studies/chart/measure; do not edit.
+/// What models cost on one machine, mean nanoseconds: read them as ratios. Written by studies/chart/measure; do not
+/// edit.
 namespace limitcurve::shipped_costs {
 
-inline constexpr std::string_view measured = "2026-11-28, a virtual machine, x86_64, Intel(R) Xeon(R) Processor, 2 cores, GCC 12.2.0";
+inline constexpr std::string_view measured =
+    "2026-11-28, a virtual machine, x86_64, Intel(R) Xeon(R) Processor, 2 cores, GCC 12.2.0";
 
 inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A wrench by its slip twist, and a step of the god-object that slips, by each projection; `none` where no finger takes it.
+/// A wrench by its slip twist, and a step of the god-object that slips, by each projection; `none` where no finger
+/// takes it.
 struct Cost {
   std::string_view model;
   double wrench;

@@ -19,12 +19,13 @@ namespace {
 constexpr std::size_t intervals = 1024;
 /// Half of the documented error of the root mean square.
 constexpr double rms_tolerance = 5e-7;
-/// Closer to an axis than this the ratio of the CORs is not accurate enough if the model finds its normal by a search in the spin fraction.
+/// Closer to an axis than this the ratio of the CORs is not accurate enough if the model finds its normal by a search
+/// in the spin fraction.
 constexpr double innermost_part = 1e-6;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-/// The slip twist whose normal has the angle ½π·`part` in the normalised plane: 0 is pure spin, 1 pure sliding. Even steps of `part` give
-/// rays at nearly even angles, and each exact point follows without a search.
+/// The slip twist whose normal has the angle ½π·`part` in the normalised plane: 0 is pure spin, 1 pure sliding. Even
+/// steps of `part` give rays at nearly even angles, and each exact point follows without a search.
 SlipTwist twist_at(double part, UnitWrench intercepts) {
   if (part <= 0.0) return {0.0, 1.0};
   if (part >= 1.0) return {1.0, 0.0};
@@ -36,19 +37,22 @@ double part_of(std::size_t i) {
   return static_cast<double>(i) / static_cast<double>(intervals);
 }
 
-/// The largest value of `function` over [0, 1], from its values on the grid: the largest one, refined between its neighbours. The position
-/// is accurate to 1e-10; so the value at a kink is accurate to about that, and at a smooth maximum to rounding.
+/// The largest value of `function` over [0, 1], from its values on the grid: the largest one, refined between its
+/// neighbours. The position is accurate to 1e-10; so the value at a kink is accurate to about that, and at a smooth
+/// maximum to rounding.
 template <class Function>
 double refined_maximum(const std::vector<double>& on_grid, const Function& function) {
   const auto best = std::max_element(on_grid.begin(), on_grid.end());
   if (std::isinf(*best)) return *best;
-  // The variable is the offset from the best point in grid steps, because the tolerance of the search is relative to its variable.
+  // The variable is the offset from the best point in grid steps, because the tolerance of the search is relative to
+  // its variable.
   const auto centre = static_cast<double>(best - on_grid.begin());
   constexpr double count = static_cast<double>(intervals);
   constexpr int bits = 24;
   std::uintmax_t steps = 80;
-  const auto refined = boost::math::tools::brent_find_minima([&](double offset) { return -function((centre + offset) / count); },
-                                                             centre == 0.0 ? 0.0 : -1.0, centre == count ? 0.0 : 1.0, bits, steps);
+  const auto refined =
+      boost::math::tools::brent_find_minima([&](double offset) { return -function((centre + offset) / count); },
+                                            centre == 0.0 ? 0.0 : -1.0, centre == count ? 0.0 : 1.0, bits, steps);
   return std::max(*best, -refined.second);
 }
 
@@ -59,19 +63,21 @@ struct Comparison {
   double square;  ///< of the radial error
 };
 
-/// ∫ square d(angle) from `left` to `right` by the trapezoid rule and Richardson's extrapolation; the interval is halved if the two differ
-/// by more than `allowed`, a share of the whole error for this interval of `part`, and by more than `density` times its angle: where the angle
-/// turns within a minute interval (a sharply peaked pressure) the first share is less than rounding. `middle` is the comparison midway.
+/// ∫ square d(angle) from `left` to `right` by the trapezoid rule and Richardson's extrapolation; the interval is
+/// halved if the two differ by more than `allowed`, a share of the whole error for this interval of `part`, and by more
+/// than `density` times its angle: where the angle turns within a minute interval (a sharply peaked pressure) the first
+/// share is less than rounding. `middle` is the comparison midway.
 template <class Function>
-double integral(const Function& at, const Comparison& left, const Comparison& middle, const Comparison& right, double allowed,
-                double density, int depth) {
+double integral(const Function& at, const Comparison& left, const Comparison& middle, const Comparison& right,
+                double allowed, double density, int depth) {
   const auto trapezoid = [](const Comparison& one, const Comparison& other) {
     return 0.5 * (one.square + other.square) * std::fabs(other.angle - one.angle);
   };
   const double coarse = trapezoid(left, right);
   const double fine = trapezoid(left, middle) + trapezoid(middle, right);
   const double correction = (fine - coarse) / 3.0;
-  if (std::fabs(correction) <= std::max(allowed, density * std::fabs(right.angle - left.angle)) || depth == 0) return fine + correction;
+  if (std::fabs(correction) <= std::max(allowed, density * std::fabs(right.angle - left.angle)) || depth == 0)
+    return fine + correction;
   const auto half = [&](const Comparison& begin, const Comparison& end) {
     return integral(at, begin, at(0.5 * (begin.part + end.part)), end, 0.5 * allowed, density, depth - 1);
   };
@@ -105,8 +111,10 @@ CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double 
     if (i > 0) roughly += compared[i].square * std::fabs(compared[i].angle - compared[i - 1].angle);
   }
   CurveError error;
-  error.max_over_estimate = std::max(0.0, refined_maximum(radius, [&](double part) { return ray_at(part).radius_ratio; }) - 1.0);
-  const double least = 1.0 / refined_maximum(inverse_radius, [&](double part) { return 1.0 / ray_at(part).radius_ratio; });
+  error.max_over_estimate =
+      std::max(0.0, refined_maximum(radius, [&](double part) { return ray_at(part).radius_ratio; }) - 1.0);
+  const double least =
+      1.0 / refined_maximum(inverse_radius, [&](double part) { return 1.0 / ray_at(part).radius_ratio; });
   error.max_under_estimate = std::max(0.0, 1.0 - least);
   error.max_error = std::max(error.max_over_estimate, error.max_under_estimate);
 
@@ -116,12 +124,13 @@ CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double 
   constexpr int most_halvings = 24;
   double squares = 0.0;
   for (std::size_t i = 0; i + 2 <= intervals; i += 2) {
-    squares += integral([&](double part) { return comparison(part, ray_at(part)); }, compared[i], compared[i + 1], compared[i + 2],
-                        mean_error * span / intervals, 0.1 * mean_error, most_halvings);
+    squares += integral([&](double part) { return comparison(part, ray_at(part)); }, compared[i], compared[i + 1],
+                        compared[i + 2], mean_error * span / intervals, 0.1 * mean_error, most_halvings);
   }
   error.rms_error = std::sqrt(std::max(squares, 0.0) / span);
 
-  // Between the outermost rays and the axes the ratio may still have an extremum: a pressure may have a small peak at its centre.
+  // Between the outermost rays and the axes the ratio may still have an extremum: a pressure may have a small peak at
+  // its centre.
   error.max_cor_ratio = std::max(near_spin, near_slide);
   error.min_cor_ratio = std::min(near_spin, near_slide);
   for (double part = 0.5 * part_of(1); part > innermost_part; part *= 0.5) {
@@ -130,10 +139,12 @@ CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double 
       error.min_cor_ratio = std::min(error.min_cor_ratio, ratio);
     }
   }
-  const auto cor_ratio = [&](double part) { return ray_at(std::clamp(part, part_of(1), part_of(intervals - 1))).cor_ratio; };
+  const auto cor_ratio = [&](double part) {
+    return ray_at(std::clamp(part, part_of(1), part_of(intervals - 1))).cor_ratio;
+  };
   error.max_cor_ratio = std::max(error.max_cor_ratio, refined_maximum(cor, cor_ratio));
-  error.min_cor_ratio =
-      std::min(error.min_cor_ratio, 1.0 / refined_maximum(inverse_cor, [&](double part) { return 1.0 / cor_ratio(part); }));
+  error.min_cor_ratio = std::min(
+      error.min_cor_ratio, 1.0 / refined_maximum(inverse_cor, [&](double part) { return 1.0 / cor_ratio(part); }));
   error.max_cor_error = std::max(std::fabs(error.max_cor_ratio - 1.0), std::fabs(error.min_cor_ratio - 1.0));
   return error;
 }
@@ -151,7 +162,9 @@ Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
   };
   std::vector<std::pair<double, double>> squares(intervals + 1);
   for (std::size_t i = 0; i <= intervals; ++i) squares[i] = {square_at(part_of(i), 0.0), square_at(part_of(i), 1.0)};
-  const auto square_of = [](const std::pair<double, double>& xy, double spin_share) { return std::lerp(xy.first, xy.second, spin_share); };
+  const auto square_of = [](const std::pair<double, double>& xy, double spin_share) {
+    return std::lerp(xy.first, xy.second, spin_share);
+  };
   const auto spread = [&](double spin_share) {
     double least = inf;
     double largest = 0.0;

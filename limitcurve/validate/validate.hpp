@@ -14,17 +14,18 @@
 /// form, about 0.1 s by quadrature), fits included.
 namespace limitcurve {
 
-/// Errors over all rays of the normalised plane x = f/f_max, y = m/m_max of the exact curve, from axis to axis. Radial errors are fractions
-/// of the exact radius on the same ray, ≥ 0. 1025 rays are compared. Largest and smallest values are refined between rays, to 1e-9; the
-/// mean is accurate to 1e-6.
+/// Errors over all rays of the normalised plane x = f/f_max, y = m/m_max of the exact curve, from axis to axis. Radial
+/// errors are fractions of the exact radius on the same ray, ≥ 0. 1025 rays are compared. Largest and smallest values
+/// are refined between rays, to 1e-9; the mean is accurate to 1e-6.
 struct CurveError {
   double max_error = 0.0;           ///< the larger of max_over_estimate and max_under_estimate
   double rms_error = 0.0;           ///< root of the mean square over the rays' angle
   double max_over_estimate = 0.0;   ///< largest model radius/exact radius − 1: the model holds, but the finger slips
   double max_under_estimate = 0.0;  ///< largest 1 − model radius/exact radius: the model slips, but the finger holds
-  double max_cor_error = 0.0;       ///< largest |c/c_exact − 1|; inf if only one of the CORs is 0 or inf, or the ratio has no bound
-  double min_cor_ratio = 1.0;       ///< smallest c/c_exact, both CORs from the curves' normals on the same ray
-  double max_cor_ratio = 1.0;       ///< largest c/c_exact
+  double max_cor_error =
+      0.0;  ///< largest |c/c_exact − 1|; inf if only one of the CORs is 0 or inf, or the ratio has no bound
+  double min_cor_ratio = 1.0;  ///< smallest c/c_exact, both CORs from the curves' normals on the same ray
+  double max_cor_ratio = 1.0;  ///< largest c/c_exact
 };
 
 namespace detail {
@@ -50,8 +51,8 @@ WrenchOfTwist wrench_of(const Curve& curve) {
   return [&curve](SlipTwist twist) { return curve.wrench(twist); };
 }
 
-/// Rate at which a curve's normal turns at its ends: on a ray the COR is about (f/m)/spin near pure spin, and slide/(m/f) near pure
-/// sliding.
+/// Rate at which a curve's normal turns at its ends: on a ray the COR is about (f/m)/spin near pure spin, and
+/// slide/(m/f) near pure sliding.
 struct EndTurns {
   double spin;   ///< d(f/m)/ds at s = 0
   double slide;  ///< s·m/f at s = ∞
@@ -61,7 +62,8 @@ template <LimitCurve Curve>
 EndTurns end_turns(const Curve& curve) {
   const SlopedPoint spin = curve.point({0.0, 1.0});
   const SlopedPoint slide = curve.point({1.0, 0.0});
-  // A slope that still grows so near to pure spin grows without bound: a pressure that is infinite at the centre (uniform-wear).
+  // A slope that still grows so near to pure spin grows without bound: a pressure that is infinite at the centre
+  // (uniform-wear).
   const double slope = std::fabs(spin.slope.force);
   const bool is_infinite = slope > 1.5 * std::fabs(curve.point({1e-100, 1.0}).slope.force);
   return {is_infinite ? std::numeric_limits<double>::infinity() : slope / spin.wrench.moment,
@@ -77,7 +79,9 @@ inline EndTurns end_turns(const PadeModel& model) {
 template <std::size_t count>
 EndTurns end_turns(const Polygon<count>& polygon) {
   const auto& vertices = polygon.vertices();
-  const auto turn = [](double one, double other) { return one == other ? std::numeric_limits<double>::infinity() : 0.0; };
+  const auto turn = [](double one, double other) {
+    return one == other ? std::numeric_limits<double>::infinity() : 0.0;
+  };
   return {turn(vertices[count - 2].moment, vertices[count - 1].moment), turn(vertices[0].force, vertices[1].force)};
 }
 
@@ -87,8 +91,8 @@ Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 
 }  // namespace detail
 
-/// The Padé model of `exact`, whose force_max is 1. Useless, with force_cor 0, if the force of `exact` rises infinitely steeply from a
-/// pure spin (uniform-wear).
+/// The Padé model of `exact`, whose force_max is 1. Useless, with force_cor 0, if the force of `exact` rises infinitely
+/// steeply from a pure spin (uniform-wear).
 template <LimitCurve Exact>
 PadeModel pade_model(const Exact& exact) {
   const double m0 = exact.moment_ratio();
@@ -96,16 +100,16 @@ PadeModel pade_model(const Exact& exact) {
   return {1.0 / (spin * m0), slide / m0, m0};
 }
 
-/// Errors of `model`, a LimitCurve or a PadeModel, against `exact`, a strictly convex curve (the exact curve, a table, an ellipse; not a
-/// polygon). At the ends the ratio of the CORs is its limit, from the slopes of both curves.
+/// Errors of `model`, a LimitCurve or a PadeModel, against `exact`, a strictly convex curve (the exact curve, a table,
+/// an ellipse; not a polygon). At the ends the ratio of the CORs is its limit, from the slopes of both curves.
 template <class Model, LimitCurve Exact>
 CurveError curve_error(const Model& model, const Exact& exact) {
   const UnitWrench intercepts = detail::intercepts_of(exact);
   const auto compare = [&](SlipTwist twist) -> detail::RayComparison {
     const UnitWrench wrench = exact.wrench(twist);
     const RadialPoint on_model = model.along(wrench);
-    return {std::atan2(wrench.moment / intercepts.moment, wrench.force / intercepts.force), gauge_from(on_model.wrench, wrench),
-            on_model.normal.cor() / twist.cor()};
+    return {std::atan2(wrench.moment / intercepts.moment, wrench.force / intercepts.force),
+            gauge_from(on_model.wrench, wrench), on_model.normal.cor() / twist.cor()};
   };
   const auto [exact_spin, exact_slide] = detail::end_turns(exact);
   const auto [model_spin, model_slide] = detail::end_turns(model);

@@ -33,8 +33,9 @@ class Row(float):
 
 
 class Columns(dict[str, NDArray[Any]]):
-    """A table: its columns by name, arrays of one length. An attribute is the row of that parameter, model, law or engine, or that is
-    `chosen`: fit.mu_r.std_error, choice.chosen.model, numbers.mujoco.torsional; of several rows it is the table. print() aligns."""
+    """A table: its columns by name, arrays of one length. An attribute is the row of that parameter, model, law or
+    engine, or that is `chosen`: fit.mu_r.std_error, choice.chosen.model, numbers.mujoco.torsional; of several rows it
+    is the table. print() aligns."""
 
     @property
     def table(self) -> dict[str, NDArray[Any]]:
@@ -68,9 +69,13 @@ class Columns(dict[str, NDArray[Any]]):
         return not self == other
 
     def __str__(self) -> str:
-        texts = [[name] + [f"{one:.4g}" if isinstance(one, float) else str(one) for one in values.tolist()] for name, values in self.items() if name != "note"]
+        texts = [[name] + [f"{one:.4g}" if isinstance(one, float) else str(one)
+                           for one in values.tolist()]
+                 for name, values in self.items()
+                 if name != "note"]
         columns = [[text.ljust(max(map(len, column))) for text in column] for column in texts]
-        return "\n".join(["  ".join(row).rstrip() for row in zip(*columns)] + list(filter(None, dict.fromkeys(map(str, self.get("note", ()))))))
+        return "\n".join(["  ".join(row).rstrip()
+                          for row in zip(*columns)] + list(filter(None, dict.fromkeys(map(str, self.get("note", ()))))))
 
 
 Data: TypeAlias = "str | os.PathLike[str] | Mapping[str, ArrayLike] | Any"

@@ -15,7 +15,8 @@ from ._tables import _check_keywords
 
 
 class RadiusLaw(str):
-    """The contact radius a(P) from numbers: the text that a user would type, which every `radius_law` takes. No unit is asked of numbers.
+    """The contact radius a(P) from numbers: the text that a user would type, which every `radius_law` takes. No unit is
+    asked of numbers.
 
     >>> import limitcurve as lc
     >>> finger = lc.SoftFinger(lc.Table("hertz"), radius_law=lc.RadiusLaw.constant(0.006))

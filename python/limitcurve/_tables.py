@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The functions that return tables: the command line's own code, with arrays in place of files.
 
-Errors, columns and defaults are the command line's, because its own code runs. The command reads arrays as it does files;
-rows come back as arrays, without conversion to text.
+Errors, columns and defaults are the command line's, because its own code runs. The command reads arrays as it does
+files; rows come back as arrays, without conversion to text.
 """
 
 from __future__ import annotations
@@ -35,19 +35,23 @@ def _check_keywords(function: _Function) -> _Function:
         for name in given:
             if name not in known:
                 near = difflib.get_close_matches(name, known, 1)
-                raise TypeError(f"{function.__name__}: unknown parameter {name!r}, expected {', '.join(known)}" + "".join(f"; did you mean {one!r}?" for one in near))
+                raise TypeError(f"{function.__name__}: unknown parameter {name!r}, expected {', '.join(known)}" +
+                                "".join(f"; did you mean {one!r}?" for one in near))
         for name in ("columns", "units"):
             if given.get(name) is not None and not isinstance(given[name], Mapping):
-                raise ValueError(f"{name}: got {given[name]!r}, expected a dict, such as " + ("{'load': 'Fz'}" if name == "columns" else "{'moment': 'Nmm'}"))
+                raise ValueError(f"{name}: got {given[name]!r}, expected a dict, such as " +
+                                 ("{'load': 'Fz'}" if name == "columns" else "{'moment': 'Nmm'}"))
         return function(*arguments, **given)
 
     return cast("_Function", wrapper)
 
 
 def run(subcommand: str, *arguments: str, **options: Any) -> Columns:
-    """Runs any subcommand of the command line and returns its table; `limitcurve SUBCOMMAND --help` lists options, columns and units.
+    """Runs any subcommand of the command line and returns its table; `limitcurve SUBCOMMAND --help` lists options,
+    columns and units.
 
-    Options are keywords with `_` in place of `-`; flags are True; lists are sequences; files may be columns (a dict of arrays).
+    Options are keywords with `_` in place of `-`; flags are True; lists are sequences; files may be columns (a dict of
+    arrays).
 
     >>> import limitcurve as lc
     >>> table = lc.run("eval", law="hertz", c=[0.25, 0.5, 1])
@@ -74,9 +78,11 @@ def validate(
     load: float | None = None,
     radius: float | None = None,
 ) -> Columns:
-    """Errors of ellipse, box, diamond and Padé model against the exact curve of one, several or all laws; or of round models of patches; or of `points`.
+    """Errors of ellipse, box, diamond and Padé model against the exact curve of one, several or all laws; or of round
+    models of patches; or of `points`.
 
-    Columns: law, model, parameter, max_error, rms_error, max_over_estimate, max_under_estimate, max_cor_error; errors as fractions.
+    Columns: law, model, parameter, max_error, rms_error, max_over_estimate, max_under_estimate, max_cor_error; errors
+    as fractions.
 
     >>> import limitcurve as lc
     >>> table = lc.validate("hertz")
@@ -105,7 +111,8 @@ def choose(
     slide: float | None = None,
     twist: float | None = None,
 ) -> Columns:
-    """The cheapest limit curve whose error is at most `tolerance`, and the others; with `scene` the whole step of a scene.
+    """The cheapest limit curve whose error is at most `tolerance`, and the others; with `scene` the whole step of a
+    scene.
 
     Columns: model, parameter, error, nanoseconds (compare ratios only), chosen.
 
@@ -120,9 +127,9 @@ def choose(
 class Fit(Columns):
     """A fit: its columns by name, and what belongs to all of them.
 
-    `covariance` is the matrix of the parameters' covariances, in the order of the rows, in the product of their units: None without
-    data, for a curve has no noise, and for `friction`. `note` is the fitted model with its assumptions; `notes` are remarks on the fit
-    and the options that use its result.
+    `covariance` is the matrix of the parameters' covariances, in the order of the rows, in the product of their units:
+    None without data, for a curve has no noise, and for `friction`. `note` is the fitted model with its assumptions;
+    `notes` are remarks on the fit and the options that use its result.
     """
 
     covariance: NDArray[np.float64] | None
@@ -150,10 +157,10 @@ def fit(
 ) -> Fit:
     """Fits a friction model to measurements, or an approximation to the exact curve of a law (no `data`).
 
-    Models: ellipse, ratio, law (data: load, force, moment[, sigma_force, sigma_moment]); load (data: load and radius or moment); friction
-    (with `patch`). `columns` are the data's names where they differ, {"load": "Fz"}; `units` its units where
-    they are not SI, {"length": "mm", "moment": "Nmm", "angle": "deg"}. Columns: parameter, value, std_error, unit, note. Warnings are
-    Python's; none, and no notes, if `quiet`.
+    Models: ellipse, ratio, law (data: load, force, moment[, sigma_force, sigma_moment]); load (data: load and radius or
+    moment); friction (with `patch`). `columns` are the data's names where they differ, {"load": "Fz"}; `units` its
+    units where they are not SI, {"length": "mm", "moment": "Nmm", "angle": "deg"}. Columns: parameter, value,
+    std_error, unit, note. Warnings are Python's; none, and no notes, if `quiet`.
 
     >>> import limitcurve as lc
     >>> table = lc.fit("ellipse", law="hertz", quiet=True)
@@ -188,13 +195,13 @@ def translate(
 ) -> Columns:
     """The coefficients for physics engines, with the error that remains in each; of one `engine` alone, if it is named.
 
-    With `mu_r` and `gamma`, as measured, in place of radius_law. With `patch` in place of law, radius law and load: for a contact
-    that is not round. Columns: engine, parameter, value, unit, model,
-    max_error, cor_error, loads_error, note, formula, two_bodies; with `loads` also low and high, the range of the value over these loads;
-    with several values of mu also mu.
+    With `mu_r` and `gamma`, as measured, in place of radius_law. With `patch` in place of law, radius law and load: for
+    a contact that is not round. Columns: engine, parameter, value, unit, model,
+    max_error, cor_error, loads_error, note, formula, two_bodies; with `loads` also low and high, the range of the value
+    over these loads; with several values of mu also mu.
 
-    `read`, with law and mu alone: what numbers in a scene mean. Numbers of one engine belong to one contact, until a parameter comes
-    again. Columns: engine, parameter, value, moment_per_load, radius [m], note.
+    `read`, with law and mu alone: what numbers in a scene mean. Numbers of one engine belong to one contact, until a
+    parameter comes again. Columns: engine, parameter, value, moment_per_load, radius [m], note.
 
     >>> import limitcurve as lc
     >>> table = lc.translate("hertz", "constant:a=0.006", mu=0.6, load=2)
@@ -225,9 +232,11 @@ def replay(
     details: bool = False,
     **finger: float | None,
 ) -> Columns:
-    """Runs the god-object over a recorded motion: columns time, x, y, z, twist [s, m, rad] (`limitcurve replay --help` lists more).
+    """Runs the god-object over a recorded motion: columns time, x, y, z, twist [s, m, rad] (`limitcurve replay --help`
+    lists more).
 
-    `finger` are the numbers of SoftFinger; mu, stiffness and twist_stiffness are required. `columns` and `units` are as in `fit`.
+    `finger` are the numbers of SoftFinger; mu, stiffness and twist_stiffness are required. `columns` and `units` are as
+    in `fit`.
 
     Columns: time, state, px, py, angle, depth, load, fx, fy, moment, cor, and the columns of the options.
 

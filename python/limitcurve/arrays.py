@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Friction within a table in arrays of NumPy, JAX, torch or another library of the array API standard; differentiable once.
+"""Friction within a table in arrays of NumPy, JAX, torch or another library of the array API standard; differentiable
+once.
 
 >>> import limitcurve as lc
 >>> from limitcurve import arrays
@@ -8,7 +9,8 @@
 >>> [round(float(x), 6) for x in f], slips.tolist()
 ([0.2, -1.0], [False, True])
 
-Numbers, lists and arrays broadcast against each other, and become arrays of the cells' library and type. What is not finite gives NaN.
+Numbers, lists and arrays broadcast against each other, and become arrays of the cells' library and type. What is not
+finite gives NaN.
 """
 
 import os
@@ -22,10 +24,12 @@ from ._core import Table
 
 newton_steps = 12  # 8 may be off by 1e-3
 part_size = 10_000
-Cells = NamedTuple("Cells", [("inside", Any), ("outside", Any), ("rows", Any)])  # where cells begin on each side of the rim; (x, c0 ... c6) of all
+Cells = NamedTuple("Cells", [("inside", Any), ("outside", Any),
+                             ("rows", Any)])  # where cells begin on each side of the rim; (x, c0 ... c6) of all
 
 def cells(table: "Table | str | os.PathLike[str]", library: Any = np, dtype: Any = None) -> Cells:
-    """The cells of a Table, or of a file of one, as arrays of a library; `dtype` is one of its floating types, float64 if None."""
+    """The cells of a Table, or of a file of one, as arrays of a library; `dtype` is one of its floating types, float64
+    if None."""
     rows = (table if isinstance(table, Table) else Table.load(table)).cells
     rows = rows[np.lexsort((rows[:, 1], rows[:, 0]))]
     parts = rows[rows[:, 0] == 0, 1], rows[rows[:, 0] == 1, 1], rows[:, 1:].copy()
@@ -36,7 +40,8 @@ def _given(cells: Cells, *numbers: Any) -> "tuple[Any, ...]":
     if not isinstance(cells, Cells):
         raise TypeError(f"cells: got {type(cells).__name__}, expected what cells() made of a table")
     rows = cells.rows
-    xp = rows.__array_namespace__() if hasattr(rows, "__array_namespace__") else sys.modules[type(rows).__module__.partition(".")[0]]
+    xp = rows.__array_namespace__() if hasattr(
+        rows, "__array_namespace__") else sys.modules[type(rows).__module__.partition(".")[0]]
     if any(map(np.ma.is_masked, numbers)):
         raise ValueError("got masked numbers, expected none: fill or compress them")
     return xp, *(xp.asarray(number, dtype=rows.dtype) for number in numbers)
@@ -61,9 +66,12 @@ def _jet(cell: Any, x: Any) -> "tuple[Any, Any, Any]":
         d, first, second = d * t + cell[..., k], first * t + d, second * t + first
     return d, first, 2 * second
 
-def _root(xp: Any, cells: Cells, outside: Any, residual: "Callable[..., tuple[Any, Any, Any]]", *given: Any) -> "tuple[Any, Any]":
-    """Cell and x in [0, 1] where `residual(given, x, D, D', D'')` is 0: a value that falls with x, minus its slope, and the value's rounding.
-    The cell is found by bisection, then x by Newton's method in a bracket. Only the last step has a derivative: that of the implicit function."""
+
+def _root(xp: Any, cells: Cells, outside: Any, residual: "Callable[..., tuple[Any, Any, Any]]", *given:
+          Any) -> "tuple[Any, Any]":
+    """Cell and x in [0, 1] where `residual(given, x, D, D', D'')` is 0: a value that falls with x, minus its slope, and
+    the value's rounding. The cell is found by bisection, then x by Newton's method in a bracket. Only the last step has
+    a derivative: that of the implicit function."""
     inside, count = cells.inside.shape[0], cells.rows.shape[0]
     fixed, rows = tuple(map(_constant, given)), _constant(cells.rows)
     begin, end = xp.where(outside, inside, 0), xp.where(outside, count, inside)
@@ -80,7 +88,8 @@ def _root(xp: Any, cells: Cells, outside: Any, residual: "Callable[..., tuple[An
         low, high = xp.where(value > 0, x, low), xp.where(value > 0, high, x)
         new = x + value / xp.where(slope > 0, slope, 1.0)
         new = xp.where((slope > 0) & (new >= low) & (new <= high), new, (low + high) / 2)
-        x = xp.where(xp.abs(value) > rounding, new, x)  # below its rounding the sign is chance, and would cut the root out
+        x = xp.where(xp.abs(value) > rounding, new,
+                     x)  # below its rounding the sign is chance, and would cut the root out
     cell = cells.rows[begin]
     value, slope, _ = residual(given, x, *_jet(cell, x))
     new = x + value / _constant(xp.where(slope > 0, slope, 1.0))
@@ -97,21 +106,27 @@ def _slip(cells: Cells, slide: Any, spin: Any) -> "tuple[Any, ...]":
     outside, rests = slide > spin, (slide == 0) & (spin == 0)
     x = xp.where(outside, spin, slide) / xp.where(rests, 1.0, xp.where(outside, slide, spin))
     beyond = cells.inside.shape[0] + xp.searchsorted(cells.outside, x, side="right")
-    return xp, rests, outside, cells.rows[xp.where(outside, beyond, xp.searchsorted(cells.inside, x, side="right")) - 1], x
+    return xp, rests, outside, cells.rows[xp.where(outside, beyond, xp.searchsorted(cells.inside, x, side="right")) -
+                                          1], x
 
 def wrench(cells: Cells, slide: Any, spin: Any) -> "tuple[Any, Any]":
-    """F/(mu P) and M/(mu P a) of slips of slide |v| and spin a|omega|, without signs; no slip gives 0. Error: checked_error."""
+    """F/(mu P) and M/(mu P a) of slips of slide |v| and spin a|omega|, without signs; no slip gives 0. Error:
+    checked_error."""
     xp, rests, *place = _slip(cells, slide, spin)
     force, moment = _wrench(xp, *place)
     return xp.where(rests, 0.0, force), xp.where(rests, 0.0, moment)
 
 def closest_point(cells: Cells, force: Any, moment: Any, chi: Any) -> "tuple[Any, Any, Any]":
-    """(force, moment, slips): trial unit wrenches; those that slip become the curve's points nearest to them, with the trial's signs, where
-    a change of the moment costs chi = a^2 k_l/k_r, in [1e-3, 1e3], times one of the force."""
+    """(force, moment, slips): trial unit wrenches; those that slip become the curve's points nearest to them, with the
+    trial's signs, where a change of the moment costs chi = a^2 k_l/k_r, in [1e-3, 1e3], times one of the force."""
     xp, *given = _given(cells, force, moment, chi)
     if xp is np and np.broadcast(*given).size > part_size:  # what is calculated on the way then stays in the cache
         given = list(np.broadcast_arrays(*given))
-        parts = [closest_point(cells, *(one.flat[at : at + part_size] for one in given)) for at in range(0, given[0].size, part_size)]
+        parts = [
+            closest_point(cells, *(one.flat[at:at + part_size]
+                                   for one in given))
+            for at in range(0, given[0].size, part_size)
+        ]
         force, moment, slips = (np.concatenate(part).reshape(given[0].shape) for part in zip(*parts))
         return force, moment, slips
     force, moment, chi = given
@@ -133,12 +148,19 @@ def closest_point(cells: Cells, force: Any, moment: Any, chi: Any) -> "tuple[Any
     to_force, to_moment = _wrench(xp, outside, cell, x)
     slips = ~(trailing + x * leading <= d * (1 + (1e-12 if eps < 1e-10 else 2**-18)))  # slip_onset
     nothing = sum(0 * _constant(number) for number in (force, moment, chi))
-    return xp.where(slips, force_sign * to_force, force) + nothing, xp.where(slips, moment_sign * to_moment, moment) + nothing, slips
+    return xp.where(slips, force_sign * to_force, force) + nothing, xp.where(slips, moment_sign * to_moment,
+                                                                             moment) + nothing, slips
 
 
-def tangent_ellipse(cells: Cells, force: Any = None, moment: Any = None, p: Any = None, q: Any = None, *, slip: Any = None) -> "tuple[Any, Any]":
-    """Semi-axes, as Table.tangent_ellipse: of the unit wrench that an engine found with the semi-axes p and q; without these on its ray;
-    or of slip = (|v|, a|omega|)."""
+def tangent_ellipse(cells: Cells,
+                    force: Any = None,
+                    moment: Any = None,
+                    p: Any = None,
+                    q: Any = None,
+                    *,
+                    slip: Any = None) -> "tuple[Any, Any]":
+    """Semi-axes, as Table.tangent_ellipse: of the unit wrench that an engine found with the semi-axes p and q; without
+    these on its ray; or of slip = (|v|, a|omega|)."""
     limits = _given(cells)[0].finfo(cells.rows.dtype)
     if ((force is None) != (moment is None) or (force is None) == (slip is None) or (p is None) != (q is None)
             or (p is not None and force is None) or (slip is not None and len(slip) != 2)):
@@ -155,7 +177,8 @@ def tangent_ellipse(cells: Cells, force: Any = None, moment: Any = None, p: Any 
     def split(to: Any, x: Any, d: Any, first: Any, second: Any) -> "tuple[Any, Any, Any]":
         each = per_x(x, first, second)  # x sqrt(each/D) is the root of the leading share of the power
         rise = (each / d) ** 0.5
-        return to[0] - x * rise, (each + second - first * first / d) / (2 * d * xp.where(rise == 0, 1.0, rise)), 4 * float(limits.eps) * to[0]
+        return to[0] - x * rise, (each + second - first * first / d) / (
+            2 * d * xp.where(rise == 0, 1.0, rise)), 4 * float(limits.eps) * to[0]
 
     if slip is not None:
         xp, rests, outside, cell, x = _slip(cells, *slip)
@@ -172,7 +195,8 @@ def tangent_ellipse(cells: Cells, force: Any = None, moment: Any = None, p: Any 
         f, m = f / xp.where(rests, 1.0, size), m / xp.where(rests, 1.0, size)
         rim_force, rim_moment = wrench(cells, 1.0, 1.0)
         outside = f * rim_moment > m * rim_force if p is None else f * f * rim_moment > m * m * rim_force
-        cell, x = _root(xp, cells, outside, on_ray if p is None else split, xp.where(outside, m, f), xp.where(outside, f, m))
+        cell, x = _root(xp, cells, outside, on_ray if p is None else split, xp.where(outside, m, f),
+                        xp.where(outside, f, m))
     d, first, second = _jet(cell, x)
     leading, trailing = (d * per_x(x, first, second)) ** 0.5, (d * (d - x * first)) ** 0.5
     usual = cells.rows[cells.inside.shape[0], 1], cells.rows[0, 1]

@@ -9,7 +9,8 @@ import mujoco  # type: ignore[import-not-found, unused-ignore]
 
 
 def register(path: "str | os.PathLike[str]") -> None:
-    """Registers the plugin that was built as `path`, before a model that has it is read. RuntimeError if it was built for another MuJoCo."""
+    """Registers the plugin that was built as `path`, before a model that has it is read. RuntimeError if it was built
+    for another MuJoCo."""
     library = pathlib.Path(path).resolve()
     if not library.is_file():
         raise FileNotFoundError(f"{library}: no such file; examples/mujoco/README.md says how to build it")

@@ -56,10 +56,11 @@ def limit_curve(
     radius_law: str | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Limit curves of one or several laws, in units of mu P and mu P a, with models of `validate` for the first law, listed in `fits`.
+    """Limit curves of one or several laws, in units of mu P and mu P a, with models of `validate` for the first law,
+    listed in `fits`.
 
-    points: measured slips (columns load, force, moment [N, N, N m]); they need mu and the contact radius [m], one for all, one for each, or
-    a radius law, which gives each the radius at its own load.
+    points: measured slips (columns load, force, moment [N, N, N m]); they need mu and the contact radius [m], one for
+    all, one for each, or a radius law, which gives each the radius at its own load.
     """
     ax = _axes(ax)
     given = [law] if isinstance(law, (str, Law)) else list(law)
@@ -85,7 +86,11 @@ def limit_curve(
                 values = run("fit", "ellipse", law=first, criterion=criterion, quiet=True)["value"]
                 parameter, m0 = float(values[0]), float(values[1]) / float(values[0])
             worst = 100 * float(errors["max_error"][rows[0]])
-            ax.plot(*_model(name, parameter, m0), linestyle=next(dashes), linewidth=1, color="0.3", label=f"{name}, off by up to {worst:.2g} %")
+            ax.plot(*_model(name, parameter, m0),
+                    linestyle=next(dashes),
+                    linewidth=1,
+                    color="0.3",
+                    label=f"{name}, off by up to {worst:.2g} %")
     if points is not None:
         if mu is None or (radius is None) == (radius_law is None):
             raise ValueError("points: expected mu and one of radius and radius_law too, which make them unit wrenches")
@@ -96,7 +101,12 @@ def limit_curve(
             spins = run("p-curves", law=laws[0], radius_law=radius_law, mu=mu, loads=loads, points=2)
             moments = spins["moment"][spins["c"] == 0]  # of a pure spin at each load: mu P a m0
             radius = (moments / (mu * loads * laws[0].moment_ratio))[places]
-        ax.plot(np.abs(data["force"]) / limit, np.abs(data["moment"]) / (limit * radius), ".", color="0.5", markersize=4, label="measured")
+        ax.plot(np.abs(data["force"]) / limit,
+                np.abs(data["moment"]) / (limit * radius),
+                ".",
+                color="0.5",
+                markersize=4,
+                label="measured")
     ax.set(xlabel=r"force $F/(\mu P)$ [1]", ylabel=r"moment $M/(\mu P a)$ [1]", xlim=(0, None), ylim=(0, None))
     ax.legend(frameon=False)
     return ax
@@ -125,7 +135,13 @@ def _numbers(texts: list[str]) -> list[Any]:
         return texts
 
 
-def p_curves(law: str | Law, radius_law: str, mu: float, loads: ArrayLike, *, points: int = 129, ax: Axes | None = None) -> Axes:
+def p_curves(law: str | Law,
+             radius_law: str,
+             mu: float,
+             loads: ArrayLike,
+             *,
+             points: int = 129,
+             ax: Axes | None = None) -> Axes:
     """Limit curves in N and N m at several loads [N]: force is proportional to mu P, moment to mu P a(P)."""
     ax = _axes(ax)
     table = run("p-curves", law=law, radius_law=radius_law, mu=mu, loads=np.atleast_1d(loads), points=points)
@@ -137,20 +153,30 @@ def p_curves(law: str | Law, radius_law: str, mu: float, loads: ArrayLike, *, po
     return ax
 
 
-def c_curves(law: str | Law, radius_law: str, mu: float, cors: ArrayLike, loads: ArrayLike, *, ax: Axes | None = None) -> Axes:
-    """The wrenches of slips about fixed centres of rotation `cors` [m], over the `loads` [N]; curved if a depends on P."""
+def c_curves(law: str | Law,
+             radius_law: str,
+             mu: float,
+             cors: ArrayLike,
+             loads: ArrayLike,
+             *,
+             ax: Axes | None = None) -> Axes:
+    """The wrenches of slips about fixed centres of rotation `cors` [m], over the `loads` [N]; curved if a depends on
+    P."""
     ax = _axes(ax)
     table = run("c-curves", law=law, radius_law=radius_law, mu=mu, cors=np.atleast_1d(cors), loads=np.atleast_1d(loads))
     for cor in np.unique(table["c"]):
         rows = table["c"] == cor
-        ax.plot(table["force"][rows], 1e3 * table["moment"][rows], label="pure sliding" if np.isinf(cor) else f"c = {1e3 * cor:g} mm")
+        ax.plot(table["force"][rows],
+                1e3 * table["moment"][rows],
+                label="pure sliding" if np.isinf(cor) else f"c = {1e3 * cor:g} mm")
     ax.set(xlabel="force $F$ [N]", ylabel="moment $M$ [N mm]", xlim=(0, None), ylim=(0, None))
     ax.legend(frameon=False)
     return ax
 
 
 def approximation_errors(law: str | Law | Sequence[str | Law] | None = None, *, ax: Axes | None = None) -> Axes:
-    """The largest over- and under-estimate of every model of `validate`, in percent, with a group of bars for each law."""
+    """The largest over- and under-estimate of every model of `validate`, in percent, with a group of bars for each
+    law."""
     ax = _axes(ax)
     table = validate(law)
     laws = list(dict.fromkeys(table["law"]))
@@ -169,13 +195,21 @@ def approximation_errors(law: str | Law | Sequence[str | Law] | None = None, *, 
 
 
 def replay(
-    table: Columns, trace: Data, *, law: str | Law | None = None, mu: float | None = None, radius_law: str | None = None,
-    stiffness: float | None = None, twist_stiffness: float | None = None, ax: Axes | None = None,
+    table: Columns,
+    trace: Data,
+    *,
+    law: str | Law | None = None,
+    mu: float | None = None,
+    radius_law: str | None = None,
+    stiffness: float | None = None,
+    twist_stiffness: float | None = None,
+    ax: Axes | None = None,
 ) -> Axes:
-    """A replay on the plane z = 0, drawn in the [r, rho] plane of the paper: distance and angle between finger and proxy.
+    """A replay on the plane z = 0, drawn in the [r, rho] plane of the paper: distance and angle between finger and
+    proxy.
 
-    `table` is the result of `limitcurve.replay`, `trace` its input (columns x, y, twist). With law, mu, radius_law, stiffness and
-    twist_stiffness also the limit at the least and the largest load that slips.
+    `table` is the result of `limitcurve.replay`, `trace` its input (columns x, y, twist). With law, mu, radius_law,
+    stiffness and twist_stiffness also the limit at the least and the largest load that slips.
     """
     ax = _axes(ax)
     data = _columns("trace", trace, ("x", "y", "twist"))
@@ -188,10 +222,18 @@ def replay(
         ax.plot(r[rows], rho[rows], ".", markersize=3, color=colour, label=state)
     slips = table["load"][(table["state"] == "slip") & (table["load"] > 0)]
     if law is not None and mu is not None and radius_law is not None and stiffness and twist_stiffness and slips.size:
-        curves = run("p-curves", law=law, radius_law=radius_law, mu=mu, loads=np.unique([slips.min(), slips.max()]), points=129)
+        curves = run("p-curves",
+                     law=law,
+                     radius_law=radius_law,
+                     mu=mu,
+                     loads=np.unique([slips.min(), slips.max()]),
+                     points=129)
         for load in np.unique(curves["load"]):
             rows = curves["load"] == load
-            ax.plot(1e3 * curves["force"][rows] / stiffness, np.degrees(curves["moment"][rows] / twist_stiffness), "--", linewidth=1,
+            ax.plot(1e3 * curves["force"][rows] / stiffness,
+                    np.degrees(curves["moment"][rows] / twist_stiffness),
+                    "--",
+                    linewidth=1,
                     label=f"limit at P = {load:.3g} N")
     ax.set(xlabel="deflection $r$ [mm]", ylabel=r"twist deflection $\rho$ [°]", xlim=(0, None), ylim=(0, None))
     ax.legend(frameon=False)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Friction within a table as functions for kernels of NVIDIA Warp, in single precision: for Newton, MuJoCo Warp, Isaac Lab. Needs warp-lang.
+"""Friction within a table as functions for kernels of NVIDIA Warp, in single precision: for Newton, MuJoCo Warp, Isaac
+Lab. Needs warp-lang.
 
 >>> import limitcurve as lc, warp as wp
 >>> import limitcurve.warp as lw
@@ -26,7 +27,8 @@ from ._core import Table
 
 @wp.struct
 class Cells:
-    """A table on a device: (x, c0 ... c6) of its cells, those inside the rim first, how many these are, and the wrench on the rim."""
+    """A table on a device: (x, c0 ... c6) of its cells, those inside the rim first, how many these are, and the wrench
+    on the rim."""
 
     rows: wp.array2d(dtype=float)  # type: ignore[valid-type]
     inside: int
@@ -75,7 +77,8 @@ def _magnitude(x: float):  # type: ignore[no-untyped-def]
 
 @wp.func
 def wrench(cells: Cells, slide: float, spin: float):  # type: ignore[no-untyped-def]
-    """(force, moment): F/(mu P) and M/(mu P a) of a slip with speed |v| and rim speed a|omega|, without signs; no slip gives 0."""
+    """(force, moment): F/(mu P) and M/(mu P a) of a slip with speed |v| and rim speed a|omega|, without signs; no slip
+    gives 0."""
     v, u = _magnitude(slide), _magnitude(spin)
     outside = v > u
     if v == 0.0 and u == 0.0:
@@ -107,7 +110,8 @@ def _foot(cells: Cells, outside: bool, to_lead: float, to_trail: float, kappa: f
 
 
 @wp.func_grad(_foot)
-def _foot_slope(cells: Cells, outside: bool, to_lead: float, to_trail: float, kappa: float, adj_row: int, adj_x: float):  # type: ignore[no-untyped-def]
+def _foot_slope(cells: Cells, outside: bool, to_lead: float, to_trail: float, kappa: float, adj_row: int,
+                adj_x: float):  # type: ignore[no-untyped-def]
     """The step after the search has the derivative."""
 
 
@@ -141,12 +145,14 @@ def closest_point(cells: Cells, force: float, moment: float, chi: float):  # typ
     if to_trail + x * to_lead <= (trailing + x * leading) * (1.0 + 1.0 / 262144.0):  # slip_onset
         return force + not_finite, moment + not_finite, False
     to_force, to_moment = wp.where(outside, trailing, leading), wp.where(outside, leading, trailing)
-    return (wp.where(force < 0.0, -to_force, to_force) + not_finite, wp.where(moment < 0.0, -to_moment, to_moment) + not_finite, True)
+    return (wp.where(force < 0.0, -to_force, to_force) + not_finite,
+            wp.where(moment < 0.0, -to_moment, to_moment) + not_finite, True)
 
 
 @wp.func
 def tangent_ellipse(cells: Cells, force: float, moment: float, p: float, q: float):  # type: ignore[no-untyped-def]
-    """(p, q), as Table.tangent_ellipse: of the unit wrench that an engine found with the semi-axes p and q > 0. No derivative."""
+    """(p, q), as Table.tangent_ellipse: of the unit wrench that an engine found with the semi-axes p and q > 0. No
+    derivative."""
     if force == 0.0 and moment == 0.0:
         return cells.rows[cells.inside, 1], cells.rows[0, 1]
     largest = wp.max(_magnitude(force), _magnitude(moment))
@@ -190,5 +196,6 @@ def tangent_ellipse(cells: Cells, force: float, moment: float, p: float, q: floa
 
 
 @wp.func_grad(tangent_ellipse)
-def _no_slope(cells: Cells, force: float, moment: float, p: float, q: float, adj_p: float, adj_q: float):  # type: ignore[no-untyped-def]
+def _no_slope(cells: Cells, force: float, moment: float, p: float, q: float, adj_p: float,
+              adj_q: float):  # type: ignore[no-untyped-def]
     """Coefficients of an engine are settings."""

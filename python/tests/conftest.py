@@ -23,7 +23,8 @@ def data():
 
 @pytest.fixture(scope="session")
 def command_line():
-    """The executable of the same tree: `command_line("eval", "--law", …)` gives its rows as lists of texts by column."""
+    """The executable of the same tree: `command_line("eval", "--law", …)` gives its rows as lists of texts by
+    column."""
     executable = os.environ.get("LIMITCURVE", ROOT / "build/ci/cli/limitcurve")
     if not pathlib.Path(executable).exists():
         pytest.skip(f"no {executable}")
@@ -54,7 +55,8 @@ def same(table, texts):
 
 
 def warp_step(wp, lw):
-    """A kernel: closest points of trials (force, moment, chi); their first two are a slip and an engine's wrench, too."""
+    """A kernel: closest points of trials (force, moment, chi); their first two are a slip and an engine's wrench,
+    too."""
 
     @wp.kernel
     def step(cells: lw.Cells, trials: wp.array2d(dtype=float), out: wp.array2d(dtype=float)):

@@ -33,7 +33,8 @@ def test_numbers_with_a_unit_are_refused():
         unit = "mm"
 
     length = np.array([0.0, 4.5]).view(Quantity)
-    for call in (lambda: TABLE.evaluate(length), lambda: lc.Patch.points(length, length, [1, 1]), lambda: lc.SoftFinger(TABLE).update(length, length, 0, 0)):
+    for call in (lambda: TABLE.evaluate(length), lambda: lc.Patch.points(length, length, [1, 1]),
+                 lambda: lc.SoftFinger(TABLE).update(length, length, 0, 0)):
         with pytest.raises(ValueError, match="got numbers in mm, expected plain numbers in SI units$"):
             call()
 
@@ -57,12 +58,22 @@ def test_masked_pixels_have_no_sensor_and_masked_rows_are_none():
     load = np.linspace(1, 3, 9)
     data = {"load": load, "force": np.ma.masked_array(0.6 * load, load == 2), "moment": 0.6 * load * 0.006 * np.pi / 8}
     data["force"].data[4] = 7
-    data = {name: np.ma.concatenate([column * (i == 0) if name == "force" else column * (i == 1) if name == "moment" else column for i in (0, 1)])
-            for name, column in data.items()}
+    data = {
+        name: np.ma.concatenate([
+            column * (i == 0) if name == "force" else column * (i == 1) if name == "moment" else column
+            for i in (0, 1)
+        ])
+        for name, column in data.items()
+    }
     rows = ~np.ma.getmaskarray(data["force"])
     with pytest.warns(UserWarning, match="^data: rows with a masked number are left out, 2 of 18$"):
         fitted = lc.fit("ratio", data, law="hertz", quiet=True)["value"]
-    assert np.array_equal(fitted, lc.fit("ratio", {name: np.asarray(column)[rows] for name, column in data.items()}, law="hertz", quiet=True)["value"])
+    assert np.array_equal(
+        fitted,
+        lc.fit("ratio", {
+            name: np.asarray(column)[rows]
+            for name, column in data.items()
+        }, law="hertz", quiet=True)["value"])
     with pytest.raises(ValueError, match="^c: got masked numbers"):
         TABLE.evaluate(np.ma.masked_array([1.0, 2], [0, 1]))
     for call in (lc.arrays.wrench, lc.arrays.tangent_ellipse):
@@ -82,7 +93,8 @@ def test_numpy_truths_and_numbers_are_options():
 
 
 def test_an_empty_list_is_not_all_laws():
-    for call in (lc.validate, lambda laws: lc.validate(patch=laws), lambda laws: lc.run("eval", law=laws, c=1), lambda laws: lc.plot.limit_curve(laws, ax=0)):
+    for call in (lc.validate, lambda laws: lc.validate(patch=laws), lambda laws: lc.run("eval", law=laws, c=1),
+                 lambda laws: lc.plot.limit_curve(laws, ax=0)):
         with pytest.raises(ValueError, match="got an empty list"):
             call([])
 
@@ -97,8 +109,27 @@ def test_projections_have_either_spelling_and_a_guess():
 def test_a_sensors_own_columns_and_units():
     load, force, moment = np.array([1.0, 1, 2, 2]), np.array([0.6, 0.02, 1.21, 0.03]), np.array([0, 2.1e-3, 0, 4.3e-3])
     own = {"Fz": 1000 * load, "Fxy": 1000 * force, "Tz": 1000 * moment}
-    named = lc.fit("ratio", own, law="hertz", columns={"load": "Fz", "force": "Fxy", "moment": "Tz"}, units={"force": "mN", "moment": "Nmm"}, quiet=True)
-    assert named["value"] == pytest.approx(lc.fit("ratio", {"load": load, "force": force, "moment": moment}, law="hertz", quiet=True)["value"], rel=1e-12)
+    named = lc.fit("ratio",
+                   own,
+                   law="hertz",
+                   columns={
+                       "load": "Fz",
+                       "force": "Fxy",
+                       "moment": "Tz"
+                   },
+                   units={
+                       "force": "mN",
+                       "moment": "Nmm"
+                   },
+                   quiet=True)
+    assert named["value"] == pytest.approx(lc.fit("ratio", {
+        "load": load,
+        "force": force,
+        "moment": moment
+    },
+                                                  law="hertz",
+                                                  quiet=True)["value"],
+                                           rel=1e-12)
 
 
 PATCH = lc.Patch("rectangle:x=0.02,y=0.01")
@@ -107,23 +138,43 @@ SLIPS = {"load": [1.0, 1, 2, 2], "force": [0.6, 0.02, 1.21, 0.03], "moment": [0,
 
 @pytest.mark.parametrize("call, told", [
     (lambda: lc.Table("hertz", tolerance="1e-8"), "tolerance: got '1e-8', expected a number"),
-    (lambda: lc.Table(3), "law: got 3, expected a str"), (lambda: lc.Table(), "no 'law', expected law, tolerance, preferred_bytes"), (lambda: lc.Law(2), "text: got 2"),
-    (lambda: TABLE.load_to_hold(1, 2e-3, radius_law="constant:a=0.005"), "no 'mu'"), (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6), "radius_law, mu_r: got none"),
-    (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6, mu_r=0.002, radius_law="constant:a=0.005"), "radius_law, mu_r: got both"),
-    (lambda: TABLE.load_to_hold(1, 2e-3, mu=[0.6, -1], mu_r=0.002), r"mu\[1\]: got -1"), (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6, radius_law=5), "radius_law: got 5"),
-    (lambda: TABLE.gauge(1, moment=2, force=3), "'force' twice"), (lambda: TABLE.evaluate(1, 2), "2 values by position"), (lambda: TABLE.save("x.csv", name=3), "name: got 3"),
+    (lambda: lc.Table(3), "law: got 3, expected a str"),
+    (lambda: lc.Table(), "no 'law', expected law, tolerance, preferred_bytes"),
+    (lambda: lc.Law(2), "text: got 2"),
+    (lambda: TABLE.load_to_hold(1, 2e-3, radius_law="constant:a=0.005"), "no 'mu'"),
+    (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6), "radius_law, mu_r: got none"),
+    (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6, mu_r=0.002, radius_law="constant:a=0.005"),
+     "radius_law, mu_r: got both"),
+    (lambda: TABLE.load_to_hold(1, 2e-3, mu=[0.6, -1], mu_r=0.002), r"mu\[1\]: got -1"),
+    (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6, radius_law=5), "radius_law: got 5"),
+    (lambda: TABLE.gauge(1, moment=2, force=3), "'force' twice"),
+    (lambda: TABLE.evaluate(1, 2), "2 values by position"),
+    (lambda: TABLE.save("x.csv", name=3), "name: got 3"),
     (lambda: lc.box(1, "a"), "moment_max: got 'a'"),
-    (lambda: lc.Patch.image([[1]], spacing=3), "spacing: got 3"), (lambda: PATCH.orthotropic(mx="a", my=1), "mx: got 'a'"), (lambda: TABLE.tangent_ellipse(slip=3), "slip: got 3"),
-    (lambda: lc.arrays.wrench(TABLE, 1, 1), "cells: got Table"), (lambda: lc.Table.gauge(1, 2), "gauge: called on no object"), (lambda: lc.SoftFinger(), "no 'curve'"), (lambda: lc.device_damping_needed(1e-3, delay="late"), "delay: got 'late'"),
+    (lambda: lc.Patch.image([[1]], spacing=3), "spacing: got 3"),
+    (lambda: PATCH.orthotropic(mx="a", my=1), "mx: got 'a'"),
+    (lambda: TABLE.tangent_ellipse(slip=3), "slip: got 3"),
+    (lambda: lc.arrays.wrench(TABLE, 1, 1), "cells: got Table"),
+    (lambda: lc.Table.gauge(1, 2), "gauge: called on no object"),
+    (lambda: lc.SoftFinger(), "no 'curve'"),
+    (lambda: lc.device_damping_needed(1e-3, delay="late"), "delay: got 'late'"),
     (lambda: lc.SoftFinger(PATCH, radius_law="constant:a=0.005"), "radius_law.*not with a Patch"),
-    (lambda: lc.SoftFinger(TABLE, mu_r=0.002, radius_law="constant:a=0.005"), "mu_r: not with radius_law"), (lambda: lc.SoftFinger(TABLE).update((0, 0, 0), (0, 0, 1), "deep", 0), "depth: got 'deep'"),
-    (lambda: lc.apply_friction(TABLE, 1, 0, limit=1, radius=1), "no 'stiffness_ratio'"), (lambda: lc.Batch(TABLE, -1), "n: got -1"),
-    (lambda: lc.fit("law", SLIPS, units="moment=Nmm"), "units: got 'moment=Nmm', expected a dict"), (lambda: lc.fit("law", SLIPS, columns="a"), "columns: got 'a'"),
+    (lambda: lc.SoftFinger(TABLE, mu_r=0.002, radius_law="constant:a=0.005"), "mu_r: not with radius_law"),
+    (lambda: lc.SoftFinger(TABLE).update((0, 0, 0), (0, 0, 1), "deep", 0), "depth: got 'deep'"),
+    (lambda: lc.apply_friction(TABLE, 1, 0, limit=1, radius=1), "no 'stiffness_ratio'"),
+    (lambda: lc.Batch(TABLE, -1), "n: got -1"),
+    (lambda: lc.fit("law", SLIPS, units="moment=Nmm"), "units: got 'moment=Nmm', expected a dict"),
+    (lambda: lc.fit("law", SLIPS, columns="a"), "columns: got 'a'"),
     (lambda: lc.fit("lwa", SLIPS), "did you mean 'law'"),
-    (lambda: lc.translate("hertz", mu=1, read={"mujoco.torsional": 5}), "read: got {'mujoco.torsional': 5}, expected 'ENGINE.PARAMETER=VALUE'"),
-    (lambda: lc.translate("hertz", mu=1, read="mujoco.torsional"), "^read: got 'mujoco.torsional'"), (lambda: lc.translate("hertz", mu=-1, load=1), "^mu: item 1 of '-1'"),
+    (lambda: lc.translate("hertz", mu=1, read={"mujoco.torsional": 5}),
+     "read: got {'mujoco.torsional': 5}, expected 'ENGINE.PARAMETER=VALUE'"),
+    (lambda: lc.translate("hertz", mu=1, read="mujoco.torsional"), "^read: got 'mujoco.torsional'"),
+    (lambda: lc.translate("hertz", mu=-1, load=1), "^mu: item 1 of '-1'"),
     (lambda: lc.replay(trace_of(9), "hertz"), "^mu, stiffness, twist_stiffness are required"),
-    (lambda: lc.run("eval", law="hertz", cc=1), "did you mean 'c'|not expected: cc"), (lambda: lc.fit("law", {**SLIPS, "force": list("abcd")}), r"^data\['force'\]: got an array of <U1"),
+    (lambda: lc.run("eval", law="hertz", cc=1), "did you mean 'c'|not expected: cc"),
+    (lambda: lc.fit("law", {
+        **SLIPS, "force": list("abcd")
+    }), r"^data\['force'\]: got an array of <U1"),
 ])
 def test_wrong_calls_are_told_by_name(call, told):
     with pytest.raises((ValueError, TypeError), match=told) as error:
@@ -144,7 +195,9 @@ def public_callables():
         if callable(thing) and thing not in (lc.Fit, lc.ContactState, lc.Fault):
             yield thing
         if isinstance(thing, type) and thing.__module__.startswith("limitcurve"):
-            yield from (getattr(thing, name) for name in vars(thing) if name[0] != "_" and callable(getattr(thing, name)))
+            yield from (getattr(thing, name)
+                        for name in vars(thing)
+                        if name[0] != "_" and callable(getattr(thing, name)))
 
 
 @pytest.mark.parametrize("function", list(public_callables()), ids=lambda function: function.__qualname__)
@@ -164,7 +217,12 @@ def test_other_columns_are_ignored_and_every_number_broadcasts():
         columns = ["note", *SLIPS, "day", "empty", "wide"]
 
         def __getitem__(self, name):
-            odd = {"note": list("abcd"), "day": np.arange(4).astype("datetime64[D]"), "empty": [None] * 4, "wide": np.zeros((4, 2))}
+            odd = {
+                "note": list("abcd"),
+                "day": np.arange(4).astype("datetime64[D]"),
+                "empty": [None] * 4,
+                "wide": np.zeros((4, 2))
+            }
             return odd[name] if name in odd else np.array(SLIPS[name])
 
     plain = lc.fit("ratio", SLIPS, law="hertz", quiet=True)["value"]
@@ -174,15 +232,26 @@ def test_other_columns_are_ignored_and_every_number_broadcasts():
     measured = TABLE.load_to_hold(force, 1e-3, mu=mu, mu_r=mu_r, gamma=0.2)
     assert measured.shape == (2, 3) and measured[1, 2] == TABLE.load_to_hold(2, -1e-3, mu=0.8, mu_r=mu_r, gamma=0.2)
     sized = TABLE.load_to_hold(force, 1e-3, mu=mu, radius_law="constant:a=0.005")
-    assert sized[0, 1] == pytest.approx(TABLE.load_to_hold(1, 1e-3, mu=0.6, mu_r=0.6 * TABLE.moment_ratio * 0.005), rel=1e-12)
-    assert np.isnan(TABLE.load_to_hold([1, np.nan], 0, mu=0.6, mu_r=0)[1]) and TABLE.load_to_hold(1, 1, mu=0.6, mu_r=0) == np.inf
+    assert sized[0, 1] == pytest.approx(TABLE.load_to_hold(1, 1e-3, mu=0.6, mu_r=0.6 * TABLE.moment_ratio * 0.005),
+                                        rel=1e-12)
+    assert np.isnan(TABLE.load_to_hold([1, np.nan], 0, mu=0.6, mu_r=0)[1]) and TABLE.load_to_hold(1, 1, mu=0.6,
+                                                                                                  mu_r=0) == np.inf
     assert PATCH.load_to_hold(0, 1, 0, mu=mu).tolist() == pytest.approx((1 / mu).tolist())
 
 
 def test_units_of_texts_and_traces_are_asked_about_and_of_numbers_not(recwarn):
     for call, asked in ((lambda: lc.Patch("rectangle:x=20,y=10"), "20 m across: is it in metres"),
-                        (lambda: TABLE.load_to_hold(1, 1e-3, mu=0.6, radius_law="constant:a=5"), "is the law in metres"), (lambda: lc.SoftFinger(TABLE, radius_law="constant:a=5"), "in metres"),
-                        (lambda: lc.replay({**trace_of(4), "twist": 30.0 * np.arange(4)}, "hertz", mu=0.6, mu_r=0.002, stiffness=1000, twist_stiffness=0.036), "in radians")):
+                        (lambda: TABLE.load_to_hold(1, 1e-3, mu=0.6, radius_law="constant:a=5"),
+                         "is the law in metres"), (lambda: lc.SoftFinger(TABLE, radius_law="constant:a=5"),
+                                                   "in metres"),
+                        (lambda: lc.replay({
+                            **trace_of(4), "twist": 30.0 * np.arange(4)
+                        },
+                                           "hertz",
+                                           mu=0.6,
+                                           mu_r=0.002,
+                                           stiffness=1000,
+                                           twist_stiffness=0.036), "in radians")):
         with pytest.warns(UserWarning, match=asked):
             call()
     for number in (1.2, 300, 4000):
@@ -192,13 +261,18 @@ def test_units_of_texts_and_traces_are_asked_about_and_of_numbers_not(recwarn):
     trace = trace_of(50)
     scene = dict(mu=0.6, radius_law="constant:a=0.006", stiffness=1000, twist_stiffness=0.036)
     other = {**{name: column * 1000 for name, column in trace.items()}, "twist": trace["twist"]}
-    assert lc.replay(other, "hertz", units={"length": "mm", "time": "ms"}, **scene)["fx"] == pytest.approx(lc.replay(trace, "hertz", **scene)["fx"], abs=1e-12)
+    assert lc.replay(other, "hertz", units={
+        "length": "mm",
+        "time": "ms"
+    }, **scene)["fx"] == pytest.approx(lc.replay(trace, "hertz", **scene)["fx"], abs=1e-12)
 
 
 def test_values_say_what_they_are():
-    assert repr(PATCH).startswith("<Patch rectangle:x=0.02,y=0.01, m0 0.0059") and "points of 2 rows" in repr(lc.Patch.points([0, 0.01], [0, 0], [1, 1]))
+    assert repr(PATCH).startswith("<Patch rectangle:x=0.02,y=0.01, m0 0.0059") and "points of 2 rows" in repr(
+        lc.Patch.points([0, 0.01], [0, 0], [1, 1]))
     assert "not finite" in repr(lc.SoftFinger(TABLE).update((0, 0, np.nan), (0, 0, 1), 0.001, 0))
-    assert TABLE == lc.Table("hertz", tolerance=1e-8) and TABLE != lc.Table("hertz", tolerance=1e-6) and TABLE != 3 and len({TABLE, lc.Table("hertz", 1e-8)}) == 1
+    assert TABLE == lc.Table("hertz", tolerance=1e-8) and TABLE != lc.Table(
+        "hertz", tolerance=1e-6) and TABLE != 3 and len({TABLE, lc.Table("hertz", 1e-8)}) == 1
 
 
 def slips_of(n):
@@ -206,7 +280,11 @@ def slips_of(n):
     random = np.random.default_rng(2)
     f, m = TABLE.evaluate(np.tan(random.uniform(0, 1.5, n)))
     load = random.uniform(1, 3, n)
-    return {"load": load, "force": 0.6 * load * f * (1 + 0.01 * random.normal(size=n)), "moment": 0.0036 * load * m * (1 + 0.01 * random.normal(size=n))}
+    return {
+        "load": load,
+        "force": 0.6 * load * f * (1 + 0.01 * random.normal(size=n)),
+        "moment": 0.0036 * load * m * (1 + 0.01 * random.normal(size=n))
+    }
 
 
 def trace_of(n):
@@ -215,10 +293,15 @@ def trace_of(n):
 
 
 @pytest.mark.parametrize("work", [
-    lambda law: lc.Table(law, tolerance=1e-13), lambda law: lc.choose(law, tolerance=1e-10), lambda law: law.evaluate(np.linspace(0, 3, 10**6)),
-    lambda _: lc.Patch.image(np.ones((64, 64)), 1e-3).wrench(np.ones((10**6, 3))), lambda _: lc.fit("law", slips_of(200_000), quiet=True),
-    lambda _: lc.replay(trace_of(10**7), "hertz", radius_law="constant:a=0.006", mu=0.6, stiffness=1000, twist_stiffness=0.036),
-], ids=["table", "choice", "law", "patch", "fit", "replay"])
+    lambda law: lc.Table(law, tolerance=1e-13),
+    lambda law: lc.choose(law, tolerance=1e-10),
+    lambda law: law.evaluate(np.linspace(0, 3, 10 ** 6)),
+    lambda _: lc.Patch.image(np.ones((64, 64)), 1e-3).wrench(np.ones((10 ** 6, 3))),
+    lambda _: lc.fit("law", slips_of(200_000), quiet=True),
+    lambda _: lc.replay(
+        trace_of(10 ** 7), "hertz", radius_law="constant:a=0.006", mu=0.6, stiffness=1000, twist_stiffness=0.036),
+],
+                         ids=["table", "choice", "law", "patch", "fit", "replay"])
 def test_ctrl_c_ends_long_work(work):
     radius = np.linspace(0, 1, 2000)
     law = lc.Law.samples(radius, np.sqrt(1 - radius**2) * (1 + 0.5 * np.random.default_rng(1).random(2000)))

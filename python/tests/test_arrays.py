@@ -39,7 +39,8 @@ def friction(table, trials):
     return fractions[0] * trials[0], fractions[1] * trials[1], np.array([one.slips for one in kept])
 
 
-laws = pytest.mark.parametrize("law", ["hertz", "uniform", "gaussian:sigma=0.4", "power:n=-0.9", "mix:0.5*hertz+0.5*power:n=-0.99"])
+laws = pytest.mark.parametrize(
+    "law", ["hertz", "uniform", "gaussian:sigma=0.4", "power:n=-0.9", "mix:0.5*hertz+0.5*power:n=-0.99"])
 
 
 @laws
@@ -64,9 +65,11 @@ def test_tangent_ellipses_are_the_tables(library, trials, law):
     p, q = random.uniform(0.3, 3, 1000), random.uniform(0.1, 1, 1000)
     with np.errstate(invalid="raise"):
         split = arrays.tangent_ellipse(cells, force, moment, p, q)
-    for mine, own in ((split, table.tangent_ellipse(force, moment, p, q)),
-                      (arrays.tangent_ellipse(cells, force, moment), table.tangent_ellipse(force, moment)),
-                      (arrays.tangent_ellipse(cells, slip=(force, moment)), table.tangent_ellipse(slip=(force, moment)))):
+    for mine, own in ((split, table.tangent_ellipse(force, moment, p,
+                                                    q)), (arrays.tangent_ellipse(cells, force, moment),
+                                                          table.tangent_ellipse(force, moment)),
+                      (arrays.tangent_ellipse(cells,
+                                              slip=(force, moment)), table.tangent_ellipse(slip=(force, moment)))):
         assert all(np.abs(np.asarray(a) / b - 1).max() < 1e-9 for a, b in zip(mine, own))
 
 
@@ -85,7 +88,9 @@ def same_in_single_precision(table, single, found):
 def test_single_precision(library, trials):
     table = lc.Table("hertz", 1e-6)
     single = [part.astype(np.float32) for part in trials]
-    assert same_in_single_precision(table, single, arrays.closest_point(arrays.cells(table, library, library.float32), *map(library.asarray, single)))
+    assert same_in_single_precision(
+        table, single, arrays.closest_point(arrays.cells(table, library, library.float32),
+                                            *map(library.asarray, single)))
 
 
 @laws
@@ -93,10 +98,15 @@ def test_functions_for_warp_are_the_librarys(trials, law):
     wp, lw = pytest.importorskip("warp"), importlib.import_module("limitcurve.warp")
     table, single = lc.Table(law, 1e-6), [part.astype(np.float32) for part in trials]
     out = wp.zeros((7, N), dtype=float, device="cpu")
-    wp.launch(warp_step(wp, lw), N, [lw.cells(table, "cpu"), wp.array(np.array(single), dtype=float, device="cpu"), out], device="cpu")
+    wp.launch(
+        warp_step(wp, lw),
+        N, [lw.cells(table, "cpu"), wp.array(np.array(single), dtype=float, device="cpu"), out],
+        device="cpu")
     found = out.numpy()
     assert same_in_single_precision(table, single, [found[0], found[1], found[2] == 1])
-    for mine, exact in zip(found[5:], table.tangent_ellipse(single[0].astype(float), single[1].astype(float), 1.0, float(np.float32(0.6)))):
+    for mine, exact in zip(
+            found[5:],
+            table.tangent_ellipse(single[0].astype(float), single[1].astype(float), 1.0, float(np.float32(0.6)))):
         assert np.abs(mine / exact - 1).max() < 1e-4
     for mine, exact in zip(found[3:5], table.wrench(single[0].astype(float), single[1].astype(float))):
         assert np.abs(mine - exact).max() < 1e-6
@@ -111,7 +121,9 @@ def weighed(function, *given):
 def same_as_differences(slopes, function, given, tolerance):
     """Of the first 200, on the axes, all; of the others some: the step crosses the curve or a kink of its curvature."""
     for i, slope in enumerate(map(np.asarray, slopes)):
-        high, low = (weighed(function, *(part + (j == i) * step for j, part in enumerate(given))) for step in (1e-6, -1e-6))
+        high, low = (weighed(function, *(part + (j == i) * step
+                                         for j, part in enumerate(given)))
+                     for step in (1e-6, -1e-6))
         same = np.isclose(slope, (high - low) / 2e-6, rtol=tolerance, atol=tolerance / 10)
         assert np.isfinite(slope).all() and same[:200].all() and same.mean() > 0.99
 
@@ -132,7 +144,8 @@ def test_derivatives_are_those_of_differences(library, trials, law):
         return jax.jit(jax.grad(lambda *given: weighed(function, cells, *given).sum(), argnums=(0, 1)))(*given)
 
     same_as_differences(slopes(arrays.closest_point, some), functools.partial(arrays.closest_point, own), some, 1e-4)
-    slips = [part[200 if law == "hertz" else 300 : 500] for part in some[:2]]  # not on an axis; on the tie where a law has a slope there
+    slips = [part[200 if law == "hertz" else 300:500]
+             for part in some[:2]]  # not on an axis; on the tie where a law has a slope there
     same_as_differences(slopes(arrays.wrench, slips), table.wrench, slips, 1e-4)
 
 
@@ -140,12 +153,14 @@ def test_derivatives_are_those_of_differences(library, trials, law):
 def test_derivatives_under_warps_tape(trials, law):
     wp, lw = pytest.importorskip("warp"), importlib.import_module("limitcurve.warp")
     table, some = lc.Table(law, 1e-6), np.array([part[:5000] for part in trials], np.float32)
-    given, out = (wp.array(x, dtype=float, device="cpu", requires_grad=True) for x in (some, np.zeros((7, 5000), np.float32)))
+    given, out = (wp.array(x, dtype=float, device="cpu", requires_grad=True)
+                  for x in (some, np.zeros((7, 5000), np.float32)))
     with wp.Tape() as tape:
         wp.launch(warp_step(wp, lw), 5000, [lw.cells(table, "cpu"), given, out], device="cpu")
     out.grad.assign(np.outer([1, 2, 0, 0, 0, 0, 0], np.ones(5000)).astype(np.float32))
     tape.backward()
-    same_as_differences(given.grad.numpy()[:2], functools.partial(arrays.closest_point, arrays.cells(table)), list(some.astype(float)), 1e-3)
+    same_as_differences(given.grad.numpy()[:2], functools.partial(arrays.closest_point, arrays.cells(table)),
+                        list(some.astype(float)), 1e-3)
 
 
 def test_a_file_is_as_good_as_its_table(tmp_path):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Questions that every interface answers alike (data/conformance.csv): here Python's objects, arrays and kernels of Warp."""
+"""Questions that every interface answers alike (data/conformance.csv): here Python's objects, arrays and kernels of
+Warp."""
 
 import csv
 import functools
@@ -20,7 +21,9 @@ def questions(data):
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             words = row["arguments"].split()
             radius = next((word for word in words if ":" in word), "")
-            yield row["quantity"], row["law"], radius, [float(word) for word in words if word != radius], [float(x) for x in row["answer"].split()]
+            yield row["quantity"], row["law"], radius, [float(word)
+                                                        for word in words
+                                                        if word != radius], [float(x) for x in row["answer"].split()]
 
 
 table_of = functools.cache(functools.partial(lc.Table, tolerance=1e-9))
@@ -43,7 +46,8 @@ def objects(table):
 
 
 def elements(wrench, closest_point, least=0.0, most=math.inf):
-    """A list with numbers, of which one element is asked; nothing where the door's numbers have no room for those of the question."""
+    """A list with numbers, of which one element is asked; nothing where the door's numbers have no room for those of
+    the question."""
     functions = {"wrench": wrench, "closest": closest_point}
 
     def answer(quantity, _, of):
@@ -58,7 +62,8 @@ SINGLE = {"least": 2.0**-149, "most": 2.0**128}
 
 
 def of_arrays(cells, made=lambda function: function, **limits):
-    return elements(*(made(functools.partial(function, cells)) for function in (arrays.wrench, arrays.closest_point)), **limits)
+    return elements(*(made(functools.partial(function, cells)) for function in (arrays.wrench, arrays.closest_point)),
+                    **limits)
 
 
 def of_jax(table):
@@ -86,18 +91,27 @@ def of_warp(table):
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
 @pytest.mark.parametrize("door, tolerance", [
-    (objects, 2e-9), (lambda table: of_arrays(arrays.cells(table)), 2e-9), (lambda table: of_arrays(arrays.cells(table, np, np.float32), **SINGLE), 1e-6),
-    (of_jax, 2e-9), (of_warp, 1e-6),
-], ids=["objects", "numpy", "numpy in float32", "jax", "warp"])
+    (objects, 2e-9),
+    (lambda table: of_arrays(arrays.cells(table)), 2e-9),
+    (lambda table: of_arrays(arrays.cells(table, np, np.float32), **SINGLE), 1e-6),
+    (of_jax, 2e-9),
+    (of_warp, 1e-6),
+],
+                         ids=["objects", "numpy", "numpy in float32", "jax", "warp"])
 def test_every_interface_answers_alike(data, door, tolerance):
     tables, asked = {}, 0
     for quantity, law, radius, of, expected in questions(data):
         if law not in tables:
             tables[law] = door(table_of(law))
         table = table_of(law)
-        unit = max(table.moment_ratio, 1 / table.moment_ratio)  # errors of a table are in units of the larger of 1 and m0
+        unit = max(table.moment_ratio,
+                   1 / table.moment_ratio)  # errors of a table are in units of the larger of 1 and m0
         got = tables[law](quantity, radius, of)
         if got is not None:
             asked += 1
-            np.testing.assert_allclose(got[: len(expected)], expected, rtol=tolerance * unit, atol=tolerance * unit, err_msg=f"{quantity} {law} {radius} {of}")
+            np.testing.assert_allclose(got[:len(expected)],
+                                       expected,
+                                       rtol=tolerance * unit,
+                                       atol=tolerance * unit,
+                                       err_msg=f"{quantity} {law} {radius} {of}")
     assert asked > 150

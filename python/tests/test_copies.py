@@ -32,7 +32,14 @@ def test_laws_and_curves(way, tmp_path):
     path.write_text(PROFILE)
     measured = lc.Law(f"samples:{path}")
     path.unlink()
-    things = [lc.Law("power:n=2.3"), measured, lc.Law.samples([0, 1, 2, 3], [3, 2, 1, 0]), lc.Table("hertz", 1e-8), lc.Table(measured, 1e-3), lc.ellipse(1, 0.6), lc.box(1, 0.5)]
+    things = [
+        lc.Law("power:n=2.3"), measured,
+        lc.Law.samples([0, 1, 2, 3], [3, 2, 1, 0]),
+        lc.Table("hertz", 1e-8),
+        lc.Table(measured, 1e-3),
+        lc.ellipse(1, 0.6),
+        lc.box(1, 0.5)
+    ]
     for thing in things:
         other = way(thing)
         assert same(other.evaluate(C), thing.evaluate(C)) and repr(other) == repr(thing)
@@ -41,18 +48,28 @@ def test_laws_and_curves(way, tmp_path):
         assert getattr(other, fact) == getattr(table, fact)
     assert np.array_equal(other.cells, table.cells)
     radius_law = way(lc.RadiusLaw.samples([1, 2], [0.004, 0.005]))
-    assert table.load_to_hold(1, 0.01, mu=0.5, radius_law=radius_law) == table.load_to_hold(1, 0.01, mu=0.5, radius_law=way(radius_law))
+    assert table.load_to_hold(1, 0.01, mu=0.5, radius_law=radius_law) == table.load_to_hold(1,
+                                                                                            0.01,
+                                                                                            mu=0.5,
+                                                                                            radius_law=way(radius_law))
 
 
 @pytest.mark.parametrize("way", WAYS)
 def test_patches(way, tmp_path):
-    for name, text in (("points", "x,y,load\n0,0,1\n0.01,0,2\n0,0.02,1\n"), ("polygon", "x,y\n0,0\n0.01,0\n0,0.02\n"), ("image", "1,2\n3,B\n"), ("profile", PROFILE)):
+    for name, text in (("points", "x,y,load\n0,0,1\n0.01,0,2\n0,0.02,1\n"), ("polygon", "x,y\n0,0\n0.01,0\n0,0.02\n"),
+                       ("image", "1,2\n3,B\n"), ("profile", PROFILE)):
         (tmp_path / f"{name}.csv").write_text(text)
     with pytest.warns(UserWarning, match="1 of 4 pixels have no sensor"):
         image = lc.Patch(f"image:{tmp_path}/image.csv,pixel=0.004x0.005")
-    patches = [lc.Patch(f"points:{tmp_path}/points.csv,mx=2"), lc.Patch(f"polygon:{tmp_path}/polygon.csv"), image, lc.Patch("rectangle:x=0.02,y=0.01"),
-               lc.Patch(f"ellipse:law=samples:{tmp_path}/profile.csv,a=0.004,b=0.002"), lc.Patch.points([0, 1], [0, 0], [1, 2]), lc.Patch.polygon([0, 1, 0], [0, 0, 1]),
-               lc.Patch.image([[1.0, 2], [3, 4]], 0.001).orthotropic(1.5, 1).orthotropic(1, 2)]
+    patches = [
+        lc.Patch(f"points:{tmp_path}/points.csv,mx=2"),
+        lc.Patch(f"polygon:{tmp_path}/polygon.csv"), image,
+        lc.Patch("rectangle:x=0.02,y=0.01"),
+        lc.Patch(f"ellipse:law=samples:{tmp_path}/profile.csv,a=0.004,b=0.002"),
+        lc.Patch.points([0, 1], [0, 0], [1, 2]),
+        lc.Patch.polygon([0, 1, 0], [0, 0, 1]),
+        lc.Patch.image([[1.0, 2], [3, 4]], 0.001).orthotropic(1.5, 1).orthotropic(1, 2)
+    ]
     for file in tmp_path.iterdir():
         file.unlink()
     for patch in patches:
@@ -106,7 +123,8 @@ def test_a_batch_goes_on_where_it_was(way, dtype):
     for all_of in (batch, other):
         all_of.update(3e-3 * np.arange(5), np.zeros(5), 0.001, 0.1)
     for name in ("fx", "fy", "moment", "state", "proxy_x", "proxy_y", "proxy_angle"):
-        assert np.array_equal(getattr(batch, name), getattr(other, name)) and getattr(other, name).dtype == getattr(batch, name).dtype
+        assert np.array_equal(getattr(batch, name), getattr(other, name)) and getattr(other, name).dtype == getattr(
+            batch, name).dtype
     other.reset()
     assert batch.fx.any() and not other.fx.any()
 
@@ -118,7 +136,8 @@ def test_results(way):
     result = lc.apply_friction(table, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000, memory=memory)
     out = lc.SoftFinger(table).update((0, 0, 0), (0, 0, 1), 0.002, 0.0)
     other = way(out)
-    assert repr(other) == repr(out) and other.state is out.state and other.fault is out.fault and np.array_equal(other.normal, out.normal)
+    assert repr(other) == repr(out) and other.state is out.state and other.fault is out.fault and np.array_equal(
+        other.normal, out.normal)
     assert way(result).force_fraction == result.force_fraction and way(result).cor == np.inf
     assert way(memory).force_slides and not way(lc.FrictionMemory()).force_slides
     fitted = way(lc.fit("ellipse", law="hertz", quiet=True))
@@ -140,4 +159,5 @@ def force_at(table, c):
 def test_a_pool_of_processes():
     table = lc.Table("hertz", 1e-6)
     with concurrent.futures.ProcessPoolExecutor(2, multiprocessing.get_context("spawn")) as pool:
-        assert list(pool.map(force_at, [table] * 4, [0.1, 0.5, 1.0, 2.0])) == [table.evaluate(c)[0] for c in (0.1, 0.5, 1.0, 2.0)]
+        assert list(pool.map(force_at, [table] * 4,
+                             [0.1, 0.5, 1.0, 2.0])) == [table.evaluate(c)[0] for c in (0.1, 0.5, 1.0, 2.0)]

@@ -16,12 +16,60 @@ def odd_values():
     frozen = array.copy()
     frozen.flags.writeable = False
     return [
-        None, True, 0, -1, 1, 0.5, math.nan, math.inf, -math.inf, 1e308, 5e-324, 10**400, "", "hertz", "nan", "constant:a=0.005", b"hertz", "\0", "\udcff",
-        [], [1, 2, 3], (0, 0, 1), [[1], [2, 3]], {}, {"load": [1]}, object(), 1j, lc, lc.Law, array, array[::-1], array[::5], frozen,
-        array.reshape(3, 4).T, array.astype(np.float32), array.astype(np.float16), array.astype(">f8"), array.astype(complex), array.astype(object),
-        np.array([math.nan, 1, 2]), np.empty((0, 3)), np.empty((2, 0)), np.zeros((2, 2, 3)), np.array("text"), np.array(["a", "b"]),
-        np.ma.masked_array([1.0, 2, 3], mask=[0, 1, 0]), np.datetime64("2020-01-01"), np.float64(2), np.longdouble(1), range(3), slice(3),
-        np.lib.stride_tricks.as_strided(array, (1 << 14,), (0,)),
+        None,
+        True,
+        0,
+        -1,
+        1,
+        0.5,
+        math.nan,
+        math.inf,
+        -math.inf,
+        1e308,
+        5e-324,
+        10 ** 400,
+        "",
+        "hertz",
+        "nan",
+        "constant:a=0.005",
+        b"hertz",
+        "\0",
+        "\udcff",
+        [],
+        [1, 2, 3],
+        (0, 0, 1),
+        [[1], [2, 3]],
+        {},
+        {
+            "load": [1]
+        },
+        object(),
+        1j,
+        lc,
+        lc.Law,
+        array,
+        array[::-1],
+        array[::5],
+        frozen,
+        array.reshape(3, 4).T,
+        array.astype(np.float32),
+        array.astype(np.float16),
+        array.astype(">f8"),
+        array.astype(complex),
+        array.astype(object),
+        np.array([math.nan, 1, 2]),
+        np.empty((0, 3)),
+        np.empty((2, 0)),
+        np.zeros((2, 2, 3)),
+        np.array("text"),
+        np.array(["a", "b"]),
+        np.ma.masked_array([1.0, 2, 3], mask=[0, 1, 0]),
+        np.datetime64("2020-01-01"),
+        np.float64(2),
+        np.longdouble(1),
+        range(3),
+        slice(3),
+        np.lib.stride_tricks.as_strided(array, (1 << 14, ), (0, )),
     ]
 
 
@@ -35,14 +83,38 @@ def test_odd_arguments_are_errors_or_answers():
     batch = lc.Batch(table, 12)
     single = lc.Batch(table, 3, dtype=np.float32)
     calls = [
-        (lc.Law, 1), (lc.Law.samples, 2), (law.evaluate, 1), (lc.Table, 2), (lc.Table.load, 1), (table.evaluate, 1), (table.gauge, 2),
-        (lambda f, m, mu, text: table.load_to_hold(f, m, mu=mu, radius_law=text), 4), (lc.ellipse, 2), (lc.box, 2), (finger.update, 5),
-        (lambda a, b, c: lc.SoftFinger(table, mu=a, radius_law=b, projection=c), 3), (lambda a, b: lc.SoftFinger(a, stiffness=b), 2),
-        (batch.update, 5), (single.update, 4), (lambda n, dtype: lc.Batch(table, n if not isinstance(n, int) or n < 100 else 3, dtype=dtype), 2),
-        (lc.Patch, 1), (lc.Patch.points, 3), (lc.Patch.polygon, 2), (lc.Patch.image, 2), (lambda a, b: lc.Patch.image(a, spacing=b), 2), (patch.wrench, 3), (lambda x, y, m, mu: patch.load_to_hold(x, y, m, mu=mu), 4), (patch.orthotropic, 2),
-        (lambda a, b, c, d, e: lc.apply_friction(table, a, b, limit=c, radius=d, stiffness_ratio=e), 5), (lambda a: lc.SoftFinger(patch, mu=a), 1),
-        (lambda a: lc.run("curve", law=a, points=5), 1), (lambda a, b: lc.fit("ratio", a, law=b), 2), (lambda a: lc.translate("hertz", a, 0.5, 1), 1),
-        (lambda a, b: lc.replay(a, "hertz", mu=b, stiffness=1000, twist_stiffness=0.04, radius_law="constant:a=0.005"), 2), (lc.run, 2),
+        (lc.Law, 1),
+        (lc.Law.samples, 2),
+        (law.evaluate, 1),
+        (lc.Table, 2),
+        (lc.Table.load, 1),
+        (table.evaluate, 1),
+        (table.gauge, 2),
+        (lambda f, m, mu, text: table.load_to_hold(f, m, mu=mu, radius_law=text), 4),
+        (lc.ellipse, 2),
+        (lc.box, 2),
+        (finger.update, 5),
+        (lambda a, b, c: lc.SoftFinger(table, mu=a, radius_law=b, projection=c), 3),
+        (lambda a, b: lc.SoftFinger(a, stiffness=b), 2),
+        (batch.update, 5),
+        (single.update, 4),
+        (lambda n, dtype: lc.Batch(table, n if not isinstance(n, int) or n < 100 else 3, dtype=dtype), 2),
+        (lc.Patch, 1),
+        (lc.Patch.points, 3),
+        (lc.Patch.polygon, 2),
+        (lc.Patch.image, 2),
+        (lambda a, b: lc.Patch.image(a, spacing=b), 2),
+        (patch.wrench, 3),
+        (lambda x, y, m, mu: patch.load_to_hold(x, y, m, mu=mu), 4),
+        (patch.orthotropic, 2),
+        (lambda a, b, c, d, e: lc.apply_friction(table, a, b, limit=c, radius=d, stiffness_ratio=e), 5),
+        (lambda a: lc.SoftFinger(patch, mu=a), 1),
+        (lambda a: lc.run("curve", law=a, points=5), 1),
+        (lambda a, b: lc.fit("ratio", a, law=b), 2),
+        (lambda a: lc.translate("hertz", a, 0.5, 1), 1),
+        (lambda a, b: lc.replay(a, "hertz", mu=b, stiffness=1000, twist_stiffness=0.04, radius_law="constant:a=0.005"),
+         2),
+        (lc.run, 2),
     ]
     errors = answers = 0
     while errors + answers < 10_000:
@@ -72,7 +144,8 @@ def test_arrays_of_a_wrong_length_or_kind_are_named():
     with pytest.raises(ValueError, match="a batch has no dampers"):
         lc.Batch(table, 5, damping=1)
     for fault in ({"max_displacement": 0.1}, {"fault_decay": 0.5}):
-        with pytest.raises(ValueError, match=f"^{list(fault)[0]}: expected none, a batch refuses no jump and fades no output"):
+        with pytest.raises(ValueError,
+                           match=f"^{list(fault)[0]}: expected none, a batch refuses no jump and fades no output"):
             lc.Batch(table, 5, **fault)
     with pytest.raises(ValueError, match="closest-point only"):
         lc.SoftFinger(lc.box(1, 0.6), projection="radial")
@@ -124,8 +197,13 @@ def test_an_interruption_stays_one():
     table = lc.Table("hertz", 1e-4)
     finger = lc.SoftFinger(table)
     for call in (table.evaluate, lambda x: lc.SoftFinger(table, mu=x), lambda x: finger.update(x, (0, 0, 1), 0, 0),
-                 lambda x: finger.update((x, 0, 0), (0, 0, 1), 0, 0), lambda x: finger.update((0, 0, 0), (0, 0, 1), 0, 0, landed=x),
-                 lambda x: lc.run("eval", law="hertz", c=x), lambda x: lc.fit("ratio", {"load": x, "force": x, "moment": x}), lc.Patch.image):
+                 lambda x: finger.update((x, 0, 0), (0, 0, 1), 0, 0), lambda x: finger.update(
+                     (0, 0, 0), (0, 0, 1), 0, 0, landed=x), lambda x: lc.run("eval", law="hertz", c=x),
+                 lambda x: lc.fit("ratio", {
+                     "load": x,
+                     "force": x,
+                     "moment": x
+                 }), lc.Patch.image):
         with pytest.raises(KeyboardInterrupt):
             call(Interrupted(), 1e-3) if call is lc.Patch.image else call(Interrupted())
 
@@ -143,8 +221,16 @@ def test_a_list_that_changes_while_it_is_read():
     assert out.state == lc.ContactState.stick and point == []
 
 
-@pytest.mark.parametrize("point", [{0: 1, 1: 2, 2: 3}, {0.0, 1.0, 2.0}, "123", b"123", iter([0, 0, 0]), (x for x in (0, 0, 0)), np.zeros((3, 1)),
-                                   np.zeros((1, 3)), [0, 0], np.array([0, 0, 0], "m8[ms]"), np.ma.masked_array([0.0, 0, 0], [0, 1, 0]), [0, 0, "0"]])
+@pytest.mark.parametrize("point", [{
+    0: 1,
+    1: 2,
+    2: 3
+}, {0.0, 1.0, 2.0}, "123", b"123",
+                                   iter([0, 0, 0]), (x for x in (0, 0, 0)),
+                                   np.zeros((3, 1)),
+                                   np.zeros((1, 3)), [0, 0],
+                                   np.array([0, 0, 0], "m8[ms]"),
+                                   np.ma.masked_array([0.0, 0, 0], [0, 1, 0]), [0, 0, "0"]])
 def test_a_point_is_a_sequence_of_three_numbers(point):
     with pytest.raises(ValueError, match="^point: (got|expected)"):
         lc.SoftFinger(lc.Table("hertz", 1e-4)).update(point, (0, 0, 1), 0.001, 0)

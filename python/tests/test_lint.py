@@ -34,20 +34,31 @@ SCENES = [
     ("torsion_off.xml", mjcf(BALL.format("tip", 'friction="0.8 0.1 0.0001"')), ["unused"], ["dead"]),
     ("too_large.xml", mjcf(BALL.format("tip", 'friction="0.8 0.1 0.0001" condim="4"')), ["note"], ["too large"]),
     ("hidden.xml", mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4"')), ["hidden"], ["hidden"]),
-    ("bare_pair.xml", mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4" priority="1"'), "", '<contact><pair geom1="tip" geom2="floor"/></contact>'),
-     ["note", "dead"], ["ok", "dead"]),
-    ("alike.xml", mjcf(BALL.format("tip", ""), '<default><geom friction="0.8 0.0024" condim="4"/></default>'), ["note"], ["ok"]),
+    ("bare_pair.xml",
+     mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4" priority="1"'), "",
+          '<contact><pair geom1="tip" geom2="floor"/></contact>'), ["note", "dead"], ["ok", "dead"]),
+    ("alike.xml", mjcf(BALL.format("tip", ""),
+                       '<default><geom friction="0.8 0.0024" condim="4"/></default>'), ["note"], ["ok"]),
     ("priority.xml", mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4" priority="1"')), ["note"], ["ok"]),
-    ("pair.xml", mjcf(BALL.format("tip", ""), "", '<contact><pair geom1="tip" geom2="floor" friction="0.8 0.8 0.0024"/></contact>'), ["dead"], ["dead"]),
-    ("visual.xml", mjcf(BALL.format("tip", 'friction="1 0.3" contype="0" conaffinity="0" condim="4"')), ["no contact"], ["no contact"]),
+    ("pair.xml",
+     mjcf(BALL.format("tip", ""), "",
+          '<contact><pair geom1="tip" geom2="floor" friction="0.8 0.8 0.0024"/></contact>'), ["dead"], ["dead"]),
+    ("visual.xml", mjcf(BALL.format("tip", 'friction="1 0.3" contype="0" conaffinity="0" condim="4"')), ["no contact"],
+     ["no contact"]),
     ("bullet.urdf", urdf('<lateral_friction value="0.8"/><spinning_friction value="0.1"/>'), ["note"], ["too large"]),
-    ("gazebo.urdf", '<robot name="r"><gazebo reference="tip"><mu1>0.8</mu1><mu2>0.8</mu2></gazebo></robot>', ["no moment"] * 2, ["no moment"] * 2),
+    ("gazebo.urdf", '<robot name="r"><gazebo reference="tip"><mu1>0.8</mu1><mu2>0.8</mu2></gazebo></robot>',
+     ["no moment"] * 2, ["no moment"] * 2),
     ("default.sdf", sdf("<patch_radius>0.005</patch_radius>"), ["note"], ["ok"]),
-    ("off.sdf", sdf("<use_patch_radius>0</use_patch_radius><patch_radius>0.005</patch_radius><surface_radius>0.02</surface_radius>"), ["dead", "note"], ["dead", "note"]),
+    ("off.sdf",
+     sdf("<use_patch_radius>0</use_patch_radius><patch_radius>0.005</patch_radius><surface_radius>0.02</surface_radius>"
+         ), ["dead", "note"], ["dead", "note"]),
     ("zero.sdf", sdf("<coefficient>0</coefficient><patch_radius>0.005</patch_radius>"), ["dead"], ["dead"]),
-    ("radius.sdf", sdf("<coefficient>0.8</coefficient><patch_radius>0.005</patch_radius><surface_radius>0.02</surface_radius>"), ["note", "dead"], ["ok", "dead"]),
+    ("radius.sdf",
+     sdf("<coefficient>0.8</coefficient><patch_radius>0.005</patch_radius><surface_radius>0.02</surface_radius>"),
+     ["note", "dead"], ["ok", "dead"]),
     ("newton.usda", usda("float newton:torsionalFriction = 0.25"), ["note"], ["too large"]),
-    ("physx.usda", usda("float physxCollision:minTorsionalPatchRadius = 0.3", "metersPerUnit = 0.01"), ["note"], ["ok"]),
+    ("physx.usda", usda("float physxCollision:minTorsionalPatchRadius = 0.3",
+                        "metersPerUnit = 0.01"), ["note"], ["ok"]),
 ]
 
 
@@ -75,47 +86,90 @@ def test_verdicts(run, name, text, alone, fingertip):
 
 
 def test_meaning_and_what_to_write(run):
-    (row,), _, _ = run({"a.usda": usda("float physxCollision:minTorsionalPatchRadius = 0.3", "metersPerUnit = 0.01")}, *FINGERTIP)
+    (row, ), _, _ = run({"a.usda": usda("float physxCollision:minTorsionalPatchRadius = 0.3", "metersPerUnit = 0.01")},
+                        *FINGERTIP)
     assert float(row["moment_per_load"]) == pytest.approx(0.8 * 0.003)
     assert float(row["write"]) == pytest.approx(0.2945, rel=1e-3)  # m0 a, in centimetres
     (row,), _, _ = run({"a.sdf": sdf("<coefficient>10</coefficient><patch_radius>0.02</patch_radius>")})
     assert float(row["moment_per_load"]) == pytest.approx(0.11781, rel=1e-4)
-    scene = mjcf(BALL.format("tip", 'friction="0.8 0.1" condim="4"') + BALL.format("foot", 'friction="1 0.1" condim="4"'))
+    scene = mjcf(
+        BALL.format("tip", 'friction="0.8 0.1" condim="4"') + BALL.format("foot", 'friction="1 0.1" condim="4"'))
     (row,), _, _ = run({"a.xml": scene}, *FINGERTIP, "--only", "tip")
     assert float(row["write"]) == pytest.approx(0.002356, rel=1e-3)
-    lines = {row["line"]: row["count"] for row in run({"a.xml": '<mujoco>\n<default>\n<geom friction="1 0.1" condim="4"/></default><worldbody>\n<geom/><geom/></worldbody></mujoco>'})[0]}
+    lines = {
+        row["line"]: row["count"]
+        for row in run({
+            "a.xml": '<mujoco>\n<default>\n<geom friction="1 0.1" condim="4"/></default><worldbody>\n<geom/><geom/></worldbody></mujoco>'
+        })[0]
+    }
     assert lines == {"3": "2"}  # where the class writes it
 
 
-@pytest.mark.parametrize(("name", "text", "told"), [
-    ("a.xacro", "<robot/>", "xacro"), ("a.urdf", urdf('<spinning_friction value="${mu}"/>'), "xacro"), ("a.usda", b"PXR-USDC\0", "usdcat"),
-    ("a.xml", "<mujocoinclude/>", "part of a scene"), ("a.xml", "<mujoco>", "not well-formed"), ("a.xml", mjcf("", '<include file="b.xml"/>'), "no such file"),
-    ("a.xml", mjcf(BALL.format("tip", 'class="soft"')), "unknown default class"), ("a.xml", mjcf(BALL.format("tip", 'friction="1 nan"')), "a.xml:1"),
-    ("a.xml", mjcf(BALL.format("tip", 'friction="1 -0.1"')), "a.xml:1"), ("a.xml", mjcf("", '<option><flag override="enable"/></option>'), "override"),
-    ("a.usda", usda("float newton:torsionalFriction.timeSamples = {"), "expected a number"), ("a.xml", mjcf('<composite type="cable"/>'), "mj_saveLastXML")])
+@pytest.mark.parametrize(("name", "text", "told"),
+                         [("a.xacro", "<robot/>", "xacro"),
+                          ("a.urdf", urdf('<spinning_friction value="${mu}"/>'), "xacro"),
+                          ("a.usda", b"PXR-USDC\0", "usdcat"), ("a.xml", "<mujocoinclude/>", "part of a scene"),
+                          ("a.xml", "<mujoco>", "not well-formed"),
+                          ("a.xml", mjcf("", '<include file="b.xml"/>'), "no such file"),
+                          ("a.xml", mjcf(BALL.format("tip", 'class="soft"')), "unknown default class"),
+                          ("a.xml", mjcf(BALL.format("tip", 'friction="1 nan"')), "a.xml:1"),
+                          ("a.xml", mjcf(BALL.format("tip", 'friction="1 -0.1"')), "a.xml:1"),
+                          ("a.xml", mjcf("", '<option><flag override="enable"/></option>'), "override"),
+                          ("a.usda", usda("float newton:torsionalFriction.timeSamples = {"), "expected a number"),
+                          ("a.xml", mjcf('<composite type="cable"/>'), "mj_saveLastXML")])
 def test_what_cannot_be_read_is_one_line(run, name, text, told):
     found, error, status = run({name: text})
     assert (found, status, error.count("\n")) == ([], 2, 1)
     assert told in error
 
 
-PAIRS = ('<default><pair condim="4"/></default>', '<contact><pair geom1="a" geom2="b" friction="0.3"/><pair geom1="a" geom2="floor" condim="6"/>'
+PAIRS = ('<default><pair condim="4"/></default>',
+         '<contact><pair geom1="a" geom2="b" friction="0.3"/><pair geom1="a" geom2="floor" condim="6"/>'
          '<pair geom1="b" geom2="floor" friction="1 2 3 4 5"/></contact>')
 MUJOCO = [
-    {"a.xml": mjcf(BALL.format("a", 'friction="0.5"') + BALL.format("b", 'condim="6" priority="2"'))},
-    {"a.xml": mjcf(BALL.format("a", 'class="x"') + BALL.format("b", 'class="y" friction="2"'),
-                   '<default><geom friction="1 2 3"/><default class="x"><geom condim="4"/><default class="y"><geom friction="4 5"/></default></default></default>')},
-    {"a.xml": mjcf('<body childclass="tip"><geom size="1"/><body><geom size="1"/></body></body>', '<include file="d.xml"/>'),
-     "d.xml": '<mujocoinclude><default><default class="tip"><geom friction="0.1 0.2"/></default></default></mujocoinclude>'},
-    {"a.xml": mjcf('<frame childclass="tip"><geom size="1"/></frame><geom size="1"/>', '<default><default class="tip"><geom condim="6"/></default></default>')},
-    {"a.xml": mjcf(BALL.format("a", "") + BALL.format("b", ""), *PAIRS)},
-    {"a.xml": mjcf(BALL.format("a", 'class="t"'), '<default><default class="t"><geom condim="4"/></default></default><default><geom friction="9 8 7"/></default>')},
-    {"a.xml": mjcf('<body childclass="v"><geom size="1" contype="0"/><geom class="main" size="1"/></body>',
-                   '<default><default class="v"><geom conaffinity="0" priority="3"/></default></default>')},
-    {"a.xml": mjcf(BALL.format("a", 'friction="0.5\n 0.25 \n0.125"'))},
-    {"a.xml": mjcf('<include file="b.xml"/>'), "b.xml": "<mujocoinclude>" + BALL.format("a", 'friction="0.7 0.6"') + "</mujocoinclude>"},
-    {"a.xml": mjcf('<body><geom size="1"/><body childclass="c"><geom size="1"/><geom size="1" friction="3"/></body></body>',
-                   '<default><geom priority="1"/><default class="c"><geom friction="1 1 1" priority="0"/></default></default>')},
+    {
+        "a.xml": mjcf(BALL.format("a", 'friction="0.5"') + BALL.format("b", 'condim="6" priority="2"'))
+    },
+    {
+        "a.xml": mjcf(
+            BALL.format("a", 'class="x"') + BALL.format("b", 'class="y" friction="2"'),
+            '<default><geom friction="1 2 3"/><default class="x"><geom condim="4"/><default class="y"><geom friction="4 5"/></default></default></default>'
+        )
+    },
+    {
+        "a.xml": mjcf('<body childclass="tip"><geom size="1"/><body><geom size="1"/></body></body>',
+                      '<include file="d.xml"/>'),
+        "d.xml": '<mujocoinclude><default><default class="tip"><geom friction="0.1 0.2"/></default></default></mujocoinclude>'
+    },
+    {
+        "a.xml": mjcf('<frame childclass="tip"><geom size="1"/></frame><geom size="1"/>',
+                      '<default><default class="tip"><geom condim="6"/></default></default>')
+    },
+    {
+        "a.xml": mjcf(BALL.format("a", "") + BALL.format("b", ""), *PAIRS)
+    },
+    {
+        "a.xml": mjcf(
+            BALL.format("a", 'class="t"'),
+            '<default><default class="t"><geom condim="4"/></default></default><default><geom friction="9 8 7"/></default>'
+        )
+    },
+    {
+        "a.xml": mjcf('<body childclass="v"><geom size="1" contype="0"/><geom class="main" size="1"/></body>',
+                      '<default><default class="v"><geom conaffinity="0" priority="3"/></default></default>')
+    },
+    {
+        "a.xml": mjcf(BALL.format("a", 'friction="0.5\n 0.25 \n0.125"'))
+    },
+    {
+        "a.xml": mjcf('<include file="b.xml"/>'),
+        "b.xml": "<mujocoinclude>" + BALL.format("a", 'friction="0.7 0.6"') + "</mujocoinclude>"
+    },
+    {
+        "a.xml": mjcf(
+            '<body><geom size="1"/><body childclass="c"><geom size="1"/><geom size="1" friction="3"/></body></body>',
+            '<default><geom priority="1"/><default class="c"><geom friction="1 1 1" priority="0"/></default></default>')
+    },
 ]
 
 
@@ -125,10 +179,13 @@ def test_numbers_are_resolved_as_mujoco_does(files, tmp_path):
     for name, text in files.items():
         (tmp_path / name).write_text(text)
     model, scene = mujoco.MjModel.from_xml_path(str(tmp_path / "a.xml")), lint.Mjcf(lint.read_xml(tmp_path / "a.xml"))
-    ours = [(*s.friction, s.condim, s.priority, s.contype, s.conaffinity) for _, s, _ in sorted(scene.geoms, key=lambda geom: geom[2])]
-    theirs = np.column_stack([model.geom_friction, model.geom_condim, model.geom_priority, model.geom_contype, model.geom_conaffinity])
+    ours = [(*s.friction, s.condim, s.priority, s.contype, s.conaffinity)
+            for _, s, _ in sorted(scene.geoms, key=lambda geom: geom[2])]
+    theirs = np.column_stack(
+        [model.geom_friction, model.geom_condim, model.geom_priority, model.geom_contype, model.geom_conaffinity])
     assert np.array_equal(np.array(ours), theirs)
-    theirs = sorted((*friction, dim) for friction, dim in zip(model.pair_friction, model.pair_dim))  # MuJoCo sorts them by bodies
+    theirs = sorted(
+        (*friction, dim) for friction, dim in zip(model.pair_friction, model.pair_dim))  # MuJoCo sorts them by bodies
     assert sorted((*s.friction, s.condim) for _, s in scene.pairs) == theirs
 
 

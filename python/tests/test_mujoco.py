@@ -21,7 +21,8 @@ def example():
     return module
 
 
-@pytest.mark.parametrize(("case", "curve", "projection"), [("exact", "table", "closest-point"), ("coupled", "ellipse", "radial")])
+@pytest.mark.parametrize(("case", "curve", "projection"), [("exact", "table", "closest-point"),
+                                                           ("coupled", "ellipse", "radial")])
 def test_the_block_turns_as_in_pivot_and_nearer_with_smaller_steps(example, monkeypatch, case, curve, projection):
     law = lc.Law("hertz")
     on = lc.Table(law, 1e-8) if curve == "table" else lc.ellipse(1.0, law.moment_ratio)
@@ -32,7 +33,8 @@ def test_the_block_turns_as_in_pivot_and_nearer_with_smaller_steps(example, monk
         planar = lc.run("pivot", case=case, material="sandpaper", grip=grip, duration=example.DURATION, time_step=step)
         run = example.simulate(example.scene('condim="1"'), example.Fingers(on, projection))
         apart.append(np.degrees(np.abs(run["angle"] - planar["angle"][: len(run["angle"])])).max())
-        # Kinetic, gravity's and the friction springs' energy never grows; nothing leaves the plane; what is held does not creep.
+        # Kinetic, gravity's and the friction springs' energy never grows; nothing leaves the plane; what is held does
+        # not creep.
         assert (run["energy"] - np.minimum.accumulate(run["energy"])).max() < 1e-9
         assert run["off_plane"].max() < 1e-7
         assert abs(run["angle"][round(1 / step)]) < 1e-6
@@ -43,7 +45,8 @@ def test_the_block_turns_as_in_pivot_and_nearer_with_smaller_steps(example, monk
 
 def spinning(plane, body, height):
     """Mean of the friction moment [N m] and of the normal force [N] of a body of 0.3 kg that spins on a plane."""
-    model = mujoco.MjModel.from_xml_string(f"""<mujoco><option timestep="0.0005" gravity="0 0 -10" cone="elliptic" impratio="10"/><worldbody>
+    model = mujoco.MjModel.from_xml_string(
+        f"""<mujoco><option timestep="0.0005" gravity="0 0 -10" cone="elliptic" impratio="10"/><worldbody>
       <geom type="plane" size="0 0 1" {plane}/><body pos="0 0 {height}"><joint type="slide" axis="0 0 1"/>
       <joint type="hinge" axis="0 0 1" armature="1e3"/><geom mass="0.3" {body}/></body></worldbody></mujoco>""")
     data = mujoco.MjData(model)
@@ -66,7 +69,8 @@ def test_the_traps_of_the_page_which_number_do_i_type():
     typed = f'condim="4" friction="0.8 {mu_r} 0"'
     ball = f'type="sphere" size="0.02" {typed}'
     # The plane's default of 0.005 is larger, unless both have the number or the finger has priority.
-    for plane, finger, moment in (("", ball, 3 * 0.005), (typed, ball, 3 * mu_r), ("", ball + ' priority="1"', 3 * mu_r)):
+    for plane, finger, moment in (("", ball, 3 * 0.005), (typed, ball, 3 * mu_r), ("", ball + ' priority="1"',
+                                                                                   3 * mu_r)):
         found, normal = spinning(plane, finger, 0.02)
         assert normal == pytest.approx(3, rel=1e-3) and found == pytest.approx(moment, rel=1e-3)
     # A disc's points stand at its rim: its moment is that of the uniform disc at two thirds of its radius.
@@ -78,7 +82,8 @@ def test_the_traps_of_the_page_which_number_do_i_type():
     # Without torsion: three balls on a circle of radius m0 a have the moment of the contact.
     lever = mu_r / 0.8
     places = [(lever * np.cos(turn), lever * np.sin(turn)) for turn in (0, 2 * np.pi / 3, 4 * np.pi / 3)]
-    balls = '/><geom mass="0" '.join(f'type="sphere" size="0.02" pos="{x} {y} 0" condim="3" friction="0.8 0 0"' for x, y in places)
+    balls = '/><geom mass="0" '.join(
+        f'type="sphere" size="0.02" pos="{x} {y} 0" condim="3" friction="0.8 0 0"' for x, y in places)
     found, normal = spinning('condim="3" friction="0.8 0 0"', balls, 0.02)
     assert found / normal == pytest.approx(mu_r, rel=1e-3)
 

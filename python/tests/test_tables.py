@@ -33,16 +33,20 @@ def test_choose(command_line):
     same(lc.choose("hertz", tolerance=0.01), command_line("choose", "--law", "hertz", "--tolerance", 0.01))
     same(
         lc.choose("hertz", 0.01, scene=True, mu=0.6, loads=[0.5, 2], stiffness=1000, twist_stiffness=0.036),
-        command_line("choose", "--law", "hertz", "--tolerance", "0.01", "--scene", "--mu", "0.6", "--loads", "0.5,2", "--stiffness", "1000",
-                     "--twist-stiffness", "0.036"),
+        command_line("choose", "--law", "hertz", "--tolerance", "0.01", "--scene", "--mu", "0.6", "--loads", "0.5,2",
+                     "--stiffness", "1000", "--twist-stiffness", "0.036"),
     )
 
 
 def test_fit_of_a_curve_and_of_data(command_line, data):
-    same(lc.fit("ellipse", law="cone", criterion="inner"), command_line("fit", "ellipse", "--law", "cone", "--criterion", "inner"))
+    same(lc.fit("ellipse", law="cone", criterion="inner"),
+         command_line("fit", "ellipse", "--law", "cone", "--criterion", "inner"))
     slips = columns(data / "fit/slips.csv")
     words = command_line("fit", "ratio", "--data", data / "fit/slips.csv")
-    for given in (data / "fit/slips.csv", str(data / "fit/slips.csv"), slips, {name: slips[name].to_numpy() for name in slips}, slips.to_records(index=False)):
+    for given in (data / "fit/slips.csv", str(data / "fit/slips.csv"), slips, {
+            name: slips[name].to_numpy()
+            for name in slips
+    }, slips.to_records(index=False)):
         same(lc.fit("ratio", given, quiet=True), words)
 
 
@@ -52,7 +56,8 @@ def test_what_a_fit_says(data, capfd):
         fitted = lc.fit("ratio", slips)
     covariance = fitted.covariance
     assert list(fitted) == ["parameter", "value", "std_error", "unit", "note"] and fitted.note == fitted["note"][0]
-    assert np.allclose(np.sqrt(np.diag(covariance)), fitted["std_error"], rtol=1e-12) and np.allclose(covariance, covariance.T, rtol=1e-12)
+    assert np.allclose(np.sqrt(np.diag(covariance)), fitted["std_error"], rtol=1e-12) and np.allclose(
+        covariance, covariance.T, rtol=1e-12)
     # The ratio is mu_r/mu: the law of errors of a quotient, where nothing is added for what the model misses.
     robust = lc.fit("ratio", slips, fit_gamma=True, loss="cauchy", quiet=True)
     i, j, k = (list(robust["parameter"]).index(name) for name in ("mu", "mu_r", "ratio"))
@@ -64,7 +69,8 @@ def test_what_a_fit_says(data, capfd):
     assert caught[0].filename == __file__
     assert lc.fit("ratio", slips, quiet=True).notes == [] and lc.fit("ellipse", law="hertz").covariance is None
     assert capfd.readouterr().err == ""
-    assert command_columns(lc.run("fit", "ratio", data=slips, covariance=True, quiet=True)) == [f"covariance_{name}" for name in fitted["parameter"]]
+    assert command_columns(lc.run("fit", "ratio", data=slips, covariance=True,
+                                  quiet=True)) == [f"covariance_{name}" for name in fitted["parameter"]]
 
 
 def command_columns(table):
@@ -90,10 +96,12 @@ def test_replay(command_line, data):
 
 def test_run_takes_every_subcommand(command_line):
     same(lc.run("laws"), command_line("laws"))
-    same(lc.run("eval", law="hertz", c=[0.25, 0.5, np.inf]), command_line("eval", "--law", "hertz", "--c", "0.25,0.5,inf"))
+    same(lc.run("eval", law="hertz", c=[0.25, 0.5, np.inf]),
+         command_line("eval", "--law", "hertz", "--c", "0.25,0.5,inf"))
     same(
         lc.run("p-curves", law="hertz", radius_law="constant:a=0.005", mu=0.5, loads=(1, 2.5), points=5),
-        command_line("p-curves", "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", 0.5, "--loads", "1,2.5", "--points", 5),
+        command_line("p-curves", "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", 0.5, "--loads", "1,2.5",
+                     "--points", 5),
     )
 
 
@@ -107,9 +115,13 @@ def test_a_law_from_arrays_goes_where_a_law_goes():
 def test_a_column_may_have_any_name():
     """A comma in it once made two of it."""
     data = {"load": [1, 2, 4.0], 'radius, "a" [mm]': np.zeros(3), "radius": [1, 2, 5.0]}
-    with pytest.raises(ValueError, match=r"^data\['radius'\]\[1\]: column 'radius': got 'inf', expected a finite number > 0$"):
+    with pytest.raises(ValueError,
+                       match=r"^data\['radius'\]\[1\]: column 'radius': got 'inf', expected a finite number > 0$"):
         lc.fit("load", {**data, "radius": [1, np.inf, 5]})
-    assert np.array_equal(lc.fit("load", data, quiet=True)["value"], lc.fit("load", {name: data[name] for name in ("load", "radius")}, quiet=True)["value"])
+    assert np.array_equal(
+        lc.fit("load", data, quiet=True)["value"],
+        lc.fit("load", {name: data[name]
+                        for name in ("load", "radius")}, quiet=True)["value"])
 
 
 def test_errors_have_the_command_line_words_and_the_caller_places():
@@ -131,7 +143,13 @@ def test_errors_have_the_command_line_words_and_the_caller_places():
 def test_many_rows_are_streamed():
     n = 200_000
     t = np.arange(n) * 1e-3
-    table = lc.replay({"time": t, "x": 1e-3 * np.sin(t), "y": 0 * t, "z": 0 * t - 1e-3, "twist": 0.1 * t}, "hertz", **SCENE)
+    table = lc.replay({
+        "time": t,
+        "x": 1e-3 * np.sin(t),
+        "y": 0 * t,
+        "z": 0 * t - 1e-3,
+        "twist": 0.1 * t
+    }, "hertz", **SCENE)
     assert len(table["time"]) == n and np.array_equal(table["time"], t)
 
 
@@ -165,7 +183,8 @@ def test_names_of_files_that_are_no_utf_8(tmp_path, data):
     assert not (folder / "t.json").exists()
     slips = folder / "slips.csv"
     slips.write_bytes((data / "fit/slips.csv").read_bytes())
-    assert lc.fit("ratio", slips, quiet=True)["value"].tolist() == lc.fit("ratio", data / "fit/slips.csv", quiet=True)["value"].tolist()
+    assert lc.fit("ratio", slips, quiet=True)["value"].tolist() == lc.fit("ratio", data / "fit/slips.csv",
+                                                                          quiet=True)["value"].tolist()
     for call in (lc.Law, lc.Table, lambda text: lc.run("eval", law=text, c=1)):
         with pytest.raises(ValueError, match="cannot read") as caught:
             call(f"samples:{profile}x")
@@ -173,7 +192,9 @@ def test_names_of_files_that_are_no_utf_8(tmp_path, data):
     with pytest.raises(RuntimeError, match="cannot write") as caught:
         lc.Table("hertz", 1e-3).save(folder / "none" / "t.csv")
     assert str(folder) in str(caught.value)
-    done = subprocess.run([sys.executable, "-m", "limitcurve", "eval", "--law", law.name, "--c", "0"], capture_output=True, check=True)
+    done = subprocess.run([sys.executable, "-m", "limitcurve", "eval", "--law", law.name, "--c", "0"],
+                          capture_output=True,
+                          check=True)
     assert done.stdout.startswith(b"c,force,moment")
 
 
@@ -184,13 +205,20 @@ def test_a_reader_that_leaves_ends_the_command_silently():
 
 
 def test_rows_are_attributes_and_tables_print():
-    fit = lc.fit("ratio", {"load": [1.0, 1, 2, 2], "force": [0.6, 0.02, 1.21, 0.03], "moment": [0, 2.1e-3, 0, 4.3e-3]}, law="hertz", quiet=True)
+    fit = lc.fit("ratio", {
+        "load": [1.0, 1, 2, 2],
+        "force": [0.6, 0.02, 1.21, 0.03],
+        "moment": [0, 2.1e-3, 0, 4.3e-3]
+    },
+                 law="hertz",
+                 quiet=True)
     row = fit["parameter"].tolist().index("mu_r")
     for found in (fit, pickle.loads(pickle.dumps(fit))):
         assert (found.mu_r, found.mu_r.std_error, found.mu_r.unit) == (fit["value"][row], fit["std_error"][row], "m")
     assert type(fit.table) is dict and fit.table == dict(fit)
     lines = str(fit).splitlines()
-    assert lines[0].split() == ["parameter", "value", "std_error", "unit"] and lines[1].split()[:2] == ["mu", f"{fit.mu:.4g}"] and lines[-1] == fit.note
+    assert lines[0].split() == ["parameter", "value", "std_error", "unit"
+                                ] and lines[1].split()[:2] == ["mu", f"{fit.mu:.4g}"] and lines[-1] == fit.note
     choice, engines = lc.choose("hertz", 0.1), lc.translate("hertz", lc.RadiusLaw.constant(0.006), mu=0.6, load=2)
     assert choice.chosen.error < 0.1 and choice.ellipse.error == lc.validate("hertz").ellipse.max_error
     assert choice.table.model == "table" and not isinstance(choice.table, float)
@@ -207,26 +235,49 @@ def test_objects_from_numbers_stand_for_texts():
     load = np.linspace(0.5, 4, 20)
     moment = 0.6 * table.moment_ratio * 0.002 * load**1.3
     hold = lambda law: table.load_to_hold(1.0, 2e-3, mu=0.6, radius_law=law)
-    for law, text in ((lc.RadiusLaw.constant(0.006), "constant:a=0.006"), (lc.RadiusLaw.hertz(0.008, E=2e5), "hertz:R=0.008,E=2e5"), (lc.RadiusLaw.power(0.002, 0.3), "power:c=0.002,gamma=0.3"),
-                      (lc.RadiusLaw.samples(load, 0.002 * load**0.3), "power:c=0.002,gamma=0.3"), (lc.RadiusLaw.moments(load, moment), "power:c=0.002,gamma=0.3")):
+    for law, text in ((lc.RadiusLaw.constant(0.006), "constant:a=0.006"),
+                      (lc.RadiusLaw.hertz(0.008, E=2e5), "hertz:R=0.008,E=2e5"), (lc.RadiusLaw.power(0.002, 0.3),
+                                                                                  "power:c=0.002,gamma=0.3"),
+                      (lc.RadiusLaw.samples(load, 0.002 * load ** 0.3),
+                       "power:c=0.002,gamma=0.3"), (lc.RadiusLaw.moments(load, moment), "power:c=0.002,gamma=0.3")):
         assert hold(law) == pytest.approx(hold(text), rel=1e-4)
-        step = [lc.SoftFinger(table, mu=0.6, radius_law=one).update((0, 0, 0), (0, 0, 1), 0.002, 0.0).load for one in (law, text)]
-        assert step[0] == step[1] and lc.translate("hertz", law, mu=0.6, load=2)["value"] == pytest.approx(lc.translate("hertz", text, mu=0.6, load=2)["value"], rel=1e-4)
+        step = [
+            lc.SoftFinger(table, mu=0.6, radius_law=one).update((0, 0, 0), (0, 0, 1), 0.002, 0.0).load
+            for one in (law, text)
+        ]
+        assert step[0] == step[1] and lc.translate("hertz", law, mu=0.6, load=2)["value"] == pytest.approx(
+            lc.translate("hertz", text, mu=0.6, load=2)["value"], rel=1e-4)
     assert repr(lc.Patch.rectangle(0.02, 0.01)) == repr(lc.Patch("rectangle:x=0.02,y=0.01"))
     push = {name: [1.0, 2, 3] for name in ("force_x", "force_y", "moment", "dx", "dy", "dtheta")}
     points = lc.Patch.points([0, 0.01, 0], [0, 0, 0.02], [1, 2, 3]).orthotropic(2, 1).orthotropic(1, 0.5)
-    for patch, text in ((lc.Patch.rectangle(0.02, 0.01), "rectangle:x=0.02,y=0.01"), (lc.Patch.rectangle(0.02, 0.01).orthotropic(2, 0.5), "rectangle:x=0.02,y=0.01,mx=2,my=0.5")):
-        assert lc.validate(patch=[patch]) == lc.validate(patch=text) and lc.fit("friction", push, patch=patch, quiet=True) == lc.fit("friction", push, patch=text, quiet=True)
-        assert lc.run("hold", patch=patch, force=[1, 2], moment=1e-3, mu=0.6) == lc.run("hold", patch=text, force=[1, 2], moment=1e-3, mu=0.6)
-    assert lc.run("patch", patch=points, twists={"vx": [1], "vy": [1], "omega": [1]})["moment"][0] == points.wrench([1, 1, 1])[2]
+    for patch, text in ((lc.Patch.rectangle(0.02, 0.01), "rectangle:x=0.02,y=0.01"),
+                        (lc.Patch.rectangle(0.02, 0.01).orthotropic(2, 0.5), "rectangle:x=0.02,y=0.01,mx=2,my=0.5")):
+        assert lc.validate(patch=[patch]) == lc.validate(patch=text) and lc.fit(
+            "friction", push, patch=patch, quiet=True) == lc.fit("friction", push, patch=text, quiet=True)
+        assert lc.run("hold", patch=patch, force=[1, 2], moment=1e-3, mu=0.6) == lc.run("hold",
+                                                                                        patch=text,
+                                                                                        force=[1, 2],
+                                                                                        moment=1e-3,
+                                                                                        mu=0.6)
+    assert lc.run("patch", patch=points, twists={
+        "vx": [1],
+        "vy": [1],
+        "omega": [1]
+    })["moment"][0] == points.wrench([1, 1, 1])[2]
     law = lc.Law(lambda radius: 1 - radius**2)
-    assert lc.Patch.ellipse(law, 0.004, b=0.002).moment_ratio == pytest.approx(lc.Patch("ellipse:law=parabolic,a=0.004,b=0.002").moment_ratio, rel=1e-9)
-    assert np.abs(np.subtract(law.evaluate([0, 0.3, 1, 3]), lc.Law("parabolic").evaluate([0, 0.3, 1, 3]))).max() < 1e-12 and law.profile_error < 1e-12
+    assert lc.Patch.ellipse(law, 0.004, b=0.002).moment_ratio == pytest.approx(
+        lc.Patch("ellipse:law=parabolic,a=0.004,b=0.002").moment_ratio, rel=1e-9)
+    assert np.abs(np.subtract(law.evaluate([0, 0.3, 1, 3]),
+                              lc.Law("parabolic").evaluate([0, 0.3, 1, 3]))).max() < 1e-12 and law.profile_error < 1e-12
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        lc.SoftFinger(table, radius_law=lc.RadiusLaw.constant(5)), lc.choose(patch=lc.Patch.rectangle(20, 10)), lc.Law(lambda radius: (1 - radius**2) ** 2.3)
-    for wrong, told in (*((lambda a=a: lc.RadiusLaw.constant(a), f"^a: got {a!r}, expected a number") for a in ("0.006", True, 10**400)), (lambda: lc.Patch.rectangle(-1, 1), "x"),
-                        (lambda: lc.Law(lambda radius: "x"), "^pressure: got 'x'"), (lambda: lc.Law(lambda radius: 1 / radius), "^pressure at radius 0: .*division by zero"),
-                        (lambda: lc.SoftFinger(table, radius_law=lc.RadiusLaw.samples([1, 1], [1, 2])), "^samples: load of sample 2 = 1 N")):
+        lc.SoftFinger(table, radius_law=lc.RadiusLaw.constant(5)), lc.choose(
+            patch=lc.Patch.rectangle(20, 10)), lc.Law(lambda radius: (1 - radius ** 2) ** 2.3)
+    for wrong, told in (*((lambda a=a: lc.RadiusLaw.constant(a), f"^a: got {a!r}, expected a number")
+                          for a in ("0.006", True, 10 ** 400)), (lambda: lc.Patch.rectangle(-1, 1), "x"),
+                        (lambda: lc.Law(lambda radius: "x"), "^pressure: got 'x'"),
+                        (lambda: lc.Law(lambda radius: 1 / radius), "^pressure at radius 0: .*division by zero"),
+                        (lambda: lc.SoftFinger(table, radius_law=lc.RadiusLaw.samples([1, 1], [1, 2])),
+                         "^samples: load of sample 2 = 1 N")):
         with pytest.raises(ValueError, match=told):
             wrong()

@@ -24,7 +24,8 @@ def test_results_have_the_shape_of_c(c):
         assert f.shape == m.shape == c.shape and f.dtype == m.dtype == np.float64
         assert ((f >= 0) & (f <= 1) & (m >= 0)).all()
         each = [curve.evaluate(one) for one in c.ravel()]
-        assert np.array_equal(f.ravel(), [one[0] for one in each]) and np.array_equal(m.ravel(), [one[1] for one in each])
+        assert np.array_equal(f.ravel(), [one[0]
+                                          for one in each]) and np.array_equal(m.ravel(), [one[1] for one in each])
 
 
 def test_single_precision_in_single_precision_out():
@@ -40,7 +41,9 @@ def test_strided_reversed_and_read_only_arrays_are_read():
     assert np.array_equal(lc.Law("hertz").evaluate(c[::-2])[0], f[::-2])
     frozen = np.broadcast_to(np.float64(0.5), (3, 4))
     assert (TABLE.evaluate(frozen)[0] == TABLE.evaluate(0.5)[0]).all()
-    assert np.array_equal(TABLE.evaluate(np.asfortranarray(c[:30].reshape(5, 6)))[0], TABLE.evaluate(c[:30].reshape(5, 6))[0])
+    assert np.array_equal(
+        TABLE.evaluate(np.asfortranarray(c[:30].reshape(5, 6)))[0],
+        TABLE.evaluate(c[:30].reshape(5, 6))[0])
 
 
 def test_not_a_number_gives_not_a_number():
@@ -54,7 +57,8 @@ def test_wrench_broadcasts():
     for curve in (TABLE, lc.ellipse(1, 0.6)):
         f, m = curve.wrench(slide, spin)
         assert f.shape == m.shape == (3, 4) and (f[2, 1], m[2, 1]) == curve.wrench(-0.3, 0.7)
-        assert isinstance(curve.wrench(1, np.float64(2))[0], float) and isinstance(curve.wrench(np.float32(1), np.float32(2))[1], np.float32)
+        assert isinstance(curve.wrench(1, np.float64(2))[0], float) and isinstance(
+            curve.wrench(np.float32(1), np.float32(2))[1], np.float32)
 
 
 def test_the_tangent_ellipse_of_a_slip_or_a_wrench_broadcasts():
@@ -63,7 +67,23 @@ def test_the_tangent_ellipse_of_a_slip_or_a_wrench_broadcasts():
     f, m = TABLE.wrench(slide, spin)
     for again in (TABLE.tangent_ellipse(f, -m, p, q), TABLE.tangent_ellipse(-f, m)):
         assert np.allclose(again, (p, q), rtol=1e-9)
-    for wrong in ({}, {"force": 1}, {"force": 1, "moment": 1, "q": 1}, {"p": 1, "q": 1, "slip": (1, 1)}, {"force": 1, "moment": 1, "slip": (1, 1)}, {"slip": (1, 1, 1)}):
+    for wrong in ({}, {
+            "force": 1
+    }, {
+            "force": 1,
+            "moment": 1,
+            "q": 1
+    }, {
+            "p": 1,
+            "q": 1,
+            "slip": (1, 1)
+    }, {
+            "force": 1,
+            "moment": 1,
+            "slip": (1, 1)
+    }, {
+            "slip": (1, 1, 1)
+    }):
         for call in (TABLE.tangent_ellipse, functools.partial(arrays.tangent_ellipse, arrays.cells(TABLE))):
             with pytest.raises(ValueError, match="expected"):
                 call(**wrong)
@@ -71,7 +91,13 @@ def test_the_tangent_ellipse_of_a_slip_or_a_wrench_broadcasts():
 
 def test_single_numbers_are_arrays_of_one():
     law = lc.Law("hertz")
-    calls = {law.evaluate: [0.7], TABLE.evaluate: [0.7], TABLE.wrench: [0.7, -0.3], TABLE.gauge: [0.7, 0.3], lc.box(1, 0.6).gauge: [0.7, 0.3]}
+    calls = {
+        law.evaluate: [0.7],
+        TABLE.evaluate: [0.7],
+        TABLE.wrench: [0.7, -0.3],
+        TABLE.gauge: [0.7, 0.3],
+        lc.box(1, 0.6).gauge: [0.7, 0.3]
+    }
     for call, given in calls.items():
         for kind in (np.float64, np.float32):
             one, many = call(*map(kind, given)), call(*(np.array([x], kind) for x in given))
@@ -80,7 +106,8 @@ def test_single_numbers_are_arrays_of_one():
         with pytest.raises(ValueError, match="expected real numbers|expected numbers"):
             call(*("one" for _ in given))
     for kind in (float, np.float32):
-        assert TABLE.gauge(kind(1), kind(-0.5)) == TABLE.gauge(kind(1), kind(0.5)) and TABLE.gauge(kind("inf"), kind(1)) == np.inf
+        assert TABLE.gauge(kind(1), kind(-0.5)) == TABLE.gauge(kind(1), kind(0.5)) and TABLE.gauge(
+            kind("inf"), kind(1)) == np.inf
 
 
 def test_load_to_hold_broadcasts():
@@ -129,14 +156,17 @@ def test_a_batch_in_single_precision_has_the_curve_of_its_table(tmp_path, monkey
     radius = np.linspace(0, 1, 9)
     monkeypatch.chdir(tmp_path)
     file.rename(tmp_path / "elsewhere.csv")
-    for table in (lc.Table.load("t.csv"), lc.Table(lc.Law.samples(radius, 1 - radius**4)), lc.Table("gaussian:sigma=1", 0.1), TABLE):
+    for table in (lc.Table.load("t.csv"), lc.Table(lc.Law.samples(radius,
+                                                                  1 - radius ** 4)), lc.Table("gaussian:sigma=1",
+                                                                                              0.1), TABLE):
         both = [lc.Batch(table, 50, dtype=dtype, mu=0.6) for dtype in (np.float64, np.float32)]
         for batch in both:
             batch.update(0, 0, 0.002, 0)
             batch.update(np.linspace(0.002, 0.02, 50), 0, 0.002, np.linspace(2, 0, 50))
         one, other = both
         error = max(5e-7, table.tolerance / 100) + 1e-6  # and the rounding of coordinates
-        assert np.allclose(one.fx, other.fx, atol=1.2 * error) and np.allclose(one.moment, other.moment, atol=1.2 * 0.005 * error)
+        assert np.allclose(one.fx, other.fx, atol=1.2 * error) and np.allclose(
+            one.moment, other.moment, atol=1.2 * 0.005 * error)
         assert (one.state == lc.ContactState.slip).all() and np.abs(one.moment).max() > 1e-3
 
 
@@ -184,17 +214,25 @@ def test_the_size_and_the_noise_of_a_measured_pressure():
     image = np.array([[0.01, 1], [2, 3]])
     with pytest.warns(UserWarning, match="pressures: 1 up to 0.02 count as 0, 0.17 % of the load"):
         patch = lc.Patch.image(image, 1e-3, floor=0.02)
-    assert pickle.loads(pickle.dumps(patch)).moment_ratio == patch.moment_ratio != lc.Patch.image(image, 1e-3).moment_ratio
+    assert pickle.loads(pickle.dumps(patch)).moment_ratio == patch.moment_ratio != lc.Patch.image(image,
+                                                                                                  1e-3).moment_ratio
 
 
 def test_a_finger_that_is_pulled_feels_mu_p():
-    finger = lc.SoftFinger(TABLE, mu=0.6, radius_law="constant:a=0.006", stiffness=1000, twist_stiffness=0.036, projection="closest-point")
+    finger = lc.SoftFinger(TABLE,
+                           mu=0.6,
+                           radius_law="constant:a=0.006",
+                           stiffness=1000,
+                           twist_stiffness=0.036,
+                           projection="closest-point")
     for i in range(200):
         out = finger.update([1e-4 * i, 0, 0], np.array([0.0, 0, 1]), 0.002, 0.0, 1e-3)
     assert out.state == lc.ContactState.slip and str(out.state) == "slip"
-    assert out.load == 2.0 and np.allclose(out.force, [-1.2, 0, 0], atol=1e-12) and out.moment == 0 and out.cor == math.inf
+    assert out.load == 2.0 and np.allclose(out.force, [-1.2, 0, 0],
+                                           atol=1e-12) and out.moment == 0 and out.cor == math.inf
     out.force[:] = out.normal[:] = out.proxy[:] = 7  # arrays of a result are copies
-    assert np.allclose(out.force, [-1.2, 0, 0], atol=1e-12) and out.normal.tolist() == [0, 0, 1] and out.proxy[0] < 0.0199
+    assert np.allclose(out.force, [-1.2, 0, 0], atol=1e-12) and out.normal.tolist() == [0, 0, 1
+                                                                                        ] and out.proxy[0] < 0.0199
     other = finger.copy()
     finger.reset()
     assert finger.output.state == lc.ContactState.free and other.output.state == lc.ContactState.slip
@@ -210,24 +248,34 @@ def test_a_finger_takes_orientations_and_other_materials():
         ahead = finger.preview_pose(**touch, orientation=held, dt=1e-3), other.preview(**touch, twist=turn, dt=1e-3)
         out = finger.update_pose(**touch, orientation=held, dt=1e-3)
         assert out.moment == ahead[0].moment and other.update(**touch, twist=turn, dt=1e-3).moment == ahead[1].moment
-    assert out.moment == pytest.approx(-7.2e-3 * 3 * math.pi / 16, abs=1e-9) and other.output.moment == pytest.approx(out.moment, abs=1e-9)
+    assert out.moment == pytest.approx(-7.2e-3 * 3 * math.pi / 16, abs=1e-9) and other.output.moment == pytest.approx(
+        out.moment, abs=1e-9)
     assert np.array_equal(out.whole_force, [0, 0, 2]) and np.array_equal(out.moment_vector, [0, 0, out.moment])
     before = finger.output.moment
     with pytest.raises(ValueError, match="mu_dynamic = 0.4"):
         finger.change(**(skin | {"mu": 0.3, "mu_dynamic": 0.4}))
     finger.change(**(skin | {"mu": 0.3}))
-    assert finger.output.moment == before and finger.margin() == 0 and finger.load_to_hold() == pytest.approx(4, rel=1e-6)
+    assert finger.output.moment == before and finger.margin() == 0 and finger.load_to_hold() == pytest.approx(4,
+                                                                                                              rel=1e-6)
     other.copy_state(pickle.loads(pickle.dumps(finger)))
     assert other.output.moment == before and other.load_to_hold() == pytest.approx(2, rel=1e-6)
     assert finger.update_pose(**touch, orientation=held).moment == pytest.approx(before / 2, abs=1e-9)
-    assert finger.update_under_load_pose((0, 0, 0), (0, 0, 1), 4, held, 1e-3).moment == pytest.approx(before / 2, abs=1e-9)  # it holds
+    assert finger.update_under_load_pose((0, 0, 0), (0, 0, 1), 4, held,
+                                         1e-3).moment == pytest.approx(before / 2, abs=1e-9)  # it holds
 
 
 def test_fingers_and_batches_do_what_replay_does(data):
-    given = {"mu": 0.6, "mu_dynamic": 0.5, "radius_law": "power:c=0.00207,gamma=0.259", "stiffness": 1000, "twist_stiffness": 0.036}
+    given = {
+        "mu": 0.6,
+        "mu_dynamic": 0.5,
+        "radius_law": "power:c=0.00207,gamma=0.259",
+        "stiffness": 1000,
+        "twist_stiffness": 0.036
+    }
     trace = np.loadtxt(data / "traces/slide_twist_load.csv", delimiter=",", skiprows=2)
     expected = lc.replay(trace, "hertz", curve="table", tolerance=1e-8, details=True, **given)
-    finger, under_load, batch = lc.SoftFinger(TABLE, **given), lc.SoftFinger(TABLE, **given), lc.Batch(TABLE, 2, **given)
+    finger, under_load, batch = lc.SoftFinger(TABLE, **given), lc.SoftFinger(TABLE,
+                                                                             **given), lc.Batch(TABLE, 2, **given)
     for i, (time, x, y, z, twist) in enumerate(trace):
         dt = time - trace[i - 1][0] if i else 0.0
         out = finger.update((x, y, 0), (0, 0, 1), -z, twist, dt)
@@ -235,8 +283,10 @@ def test_fingers_and_batches_do_what_replay_does(data):
         batch.update(x, y, -z, twist)
         row = [str(expected["state"][i]), *(expected[name][i] for name in ("load", "fx", "fy", "moment"))]
         assert [str(out.state), out.load, *out.force[:2], out.moment] == row
-        assert str(other.state) == row[0] and np.allclose([other.load, *other.force[:2], other.moment], row[1:], rtol=1e-12, atol=1e-12)
-        assert str(lc.ContactState(batch.state[1])) == row[0] and np.allclose([batch.fx[1], batch.fy[1], batch.moment[1]], row[2:], rtol=0, atol=1e-12)
+        assert str(other.state) == row[0] and np.allclose(
+            [other.load, *other.force[:2], other.moment], row[1:], rtol=1e-12, atol=1e-12)
+        assert str(lc.ContactState(batch.state[1])) == row[0] and np.allclose(
+            [batch.fx[1], batch.fy[1], batch.moment[1]], row[2:], rtol=0, atol=1e-12)
     for one, last in ((finger.update, 0.001), (under_load.update_under_load, 1.0)):
         one((0.05, 0, 0), (0, 0, 1), last, 3.0)
         assert not one((0.1, 0, 0), (0, 0, 1), last, 4.0, landed=True).force[:2].any()  # anew where it lands
@@ -261,7 +311,9 @@ def test_patches_from_arrays_are_those_from_files(tmp_path):
     x, y, load = [0, 0.01, 0.0], [0, 0, 0.01], [1, 2, 1.5]
     (tmp_path / "p.csv").write_text("x,y,load\n" + "".join(f"{a},{b},{c}\n" for a, b, c in zip(x, y, load)))
     twists = np.random.default_rng(1).normal(size=(50, 3))
-    assert np.array_equal(lc.Patch.points(x, y, load).wrench(twists), lc.Patch(f"points:{tmp_path / 'p.csv'}").wrench(twists))
+    assert np.array_equal(
+        lc.Patch.points(x, y, load).wrench(twists),
+        lc.Patch(f"points:{tmp_path / 'p.csv'}").wrench(twists))
     rectangle = lc.Patch.polygon([-0.01, 0.01, 0.01, -0.01], [-0.005, -0.005, 0.005, 0.005])
     assert np.allclose(rectangle.wrench(twists), lc.Patch("rectangle:x=0.02,y=0.01").wrench(twists), atol=1e-13)
     assert lc.Patch.image(np.ones((4, 8)), 0.0025).radius == pytest.approx(math.hypot(0.01, 0.005), rel=0.2)
@@ -307,9 +359,20 @@ def test_friction_has_a_memory_and_limits_while_it_slides():
 
 
 def test_on_a_box_force_and_moment_come_to_rest_apart():
-    memory, apart = lc.FrictionMemory(), {"sliding_limit": 0.8, "force_stick_fraction": 0.9, "moment_stick_fraction": 0.5}
+    memory, apart = lc.FrictionMemory(), {
+        "sliding_limit": 0.8,
+        "force_stick_fraction": 0.9,
+        "moment_stick_fraction": 0.5
+    }
     for force, moment, slides in ((1.2, 0.007, (True, True)), (0.7, 0.003, (False, True))):
-        lc.apply_friction(lc.box(1, 0.6), force, moment, limit=1.0, radius=0.01, stiffness_ratio=25000, memory=memory, **apart)
+        lc.apply_friction(lc.box(1, 0.6),
+                          force,
+                          moment,
+                          limit=1.0,
+                          radius=0.01,
+                          stiffness_ratio=25000,
+                          memory=memory,
+                          **apart)
         assert (memory.force_slides, memory.moment_slides) == slides
 
 
@@ -317,7 +380,10 @@ def test_the_cells_of_a_table_are_its_file(tmp_path):
     TABLE.save(tmp_path / "t.csv")
     rows = [line.split(",") for line in (tmp_path / "t.csv").read_text().splitlines() if not line.startswith("#")]
     places = [rows[0].index(name) for name in ("x", "c0", "c1", "c2", "c3", "c4", "c5", "c6")]
-    written = np.array([[row[0] == "outside", *(float(row[i] or 0) for i in places)] for row in rows[1:] if float(row[1]) < 1])
+    written = np.array([[row[0] == "outside", *(float(row[i] or 0)
+                                                for i in places)]
+                        for row in rows[1:]
+                        if float(row[1]) < 1])
     assert TABLE.cells.shape == (len(written), 9) and np.array_equal(TABLE.cells, written)
     x, c = TABLE.cells[1, 1], TABLE.cells[1, 2:]  # inside, at the beginning of a cell: D = c0, D' = c1
     assert TABLE.evaluate(x) == pytest.approx((c[1], c[0] - x * c[1]), rel=1e-15)

@@ -31,8 +31,12 @@ def check_licences(readme):
     """The metadata, the texts inside and the page name the same licences and the same libraries."""
     metadata = importlib.metadata.metadata("limitcurve")
     said = readme.partition("## Licences\n")[2]
-    libraries = {name.lower(): set(licences.split(", ")) for name, licences in re.findall(r"([\w.-]+) \(([^)]*)\)", said)}
-    assert set(metadata["License-Expression"].split(" AND ")) == set.union({"MIT"}, *libraries.values()), (metadata["License-Expression"], libraries)
+    libraries = {
+        name.lower(): set(licences.split(", "))
+        for name, licences in re.findall(r"([\w.-]+) \(([^)]*)\)", said)
+    }
+    assert set(metadata["License-Expression"].split(" AND ")) == set.union(
+        {"MIT"}, *libraries.values()), (metadata["License-Expression"], libraries)
     files = set(metadata.get_all("License-File"))
     assert files == {"LICENSE", *(f"LICENSE.{name}" for name in libraries)}, (files, libraries)
     inside = [file for file in importlib.metadata.files("limitcurve") if "licenses" in file.parts]
@@ -58,7 +62,10 @@ def check_pool():
 def check_interrupt():
     """Ctrl-C ends long work within a second."""
     for name, code in LONG.items():
-        with subprocess.Popen([sys.executable, "-c", PREPARED + code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as job:
+        with subprocess.Popen([sys.executable, "-c", PREPARED + code],
+                              stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE,
+                              text=True) as job:
             job.stdout.readline()
             time.sleep(0.5)
             assert job.poll() is None, f"{name} took less than half a second"

@@ -16,15 +16,16 @@
 #include <type_traits>
 #include <vector>
 
-/// The part of the library's interface that the workloads (studies/chart/finger_bench.cpp) use. scripts/maintain/compare_speed compiles the
-/// workloads against two commits, each with its own copy of this file.
+/// The part of the library's interface that the workloads (studies/chart/finger_bench.cpp) use.
+/// scripts/maintain/compare_speed compiles the workloads against two commits, each with its own copy of this file.
 namespace limitcurve::bench {
 
 using godobject::BodyState;
 using godobject::Contact;
 using godobject::DevicePose;
 
-/// The limit curve of a Hertz contact, and the projection; the table has a tolerance of 1e-8 (in a batch of floats: the finest possible).
+/// The limit curve of a Hertz contact, and the projection; the table has a tolerance of 1e-8 (in a batch of floats: the
+/// finest possible).
 enum class Model { ellipse_radial, table_radial, table_closest_point };
 
 /// Properties of a finger beside springs and friction.
@@ -83,7 +84,9 @@ template <Model model, class Real>
 class Batch {
  public:
   Batch(Skin skin, std::size_t count)
-      : stepper_(make_curve<model, Real>(), parameters(skin), projection<model>), arrays_(count), batch_(arrays_.batch()) {}
+      : stepper_(make_curve<model, Real>(), parameters(skin), projection<model>),
+        arrays_(count),
+        batch_(arrays_.batch()) {}
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
 

@@ -5,9 +5,10 @@
 //
 //     finger_bench [REGEX]   the workloads with matching names (default all), as CSV
 //
-// mean_ns: processor time of this process for a step (batches: a contact). worst_ns: a motion is timed in stretches of 128 steps (grasp:
-// 32); this is the mean step of the slowest stretch, where each stretch counts with its fastest pass, so that interrupts are ignored.
-// Empty if all stretches are alike. result: the mean of the steps' return values, to check that two commits do the same work.
+// mean_ns: processor time of this process for a step (batches: a contact). worst_ns: a motion is timed in stretches of
+// 128 steps (grasp: 32); this is the mean step of the slowest stretch, where each stretch counts with its fastest pass,
+// so that interrupts are ignored. Empty if all stretches are alike. result: the mean of the steps' return values, to
+// check that two commits do the same work.
 #include <adaptor.hpp>  // of the commit that is measured
 #include "motion.hpp"
 #include "workload.hpp"
@@ -68,7 +69,8 @@ Pass one_finger(Skin skin, Motion motion) {
                });
 }
 
-/// Fingers in turn, each at another point of the motion: a step need not wait for the finger's last one, as in a scene with many fingers.
+/// Fingers in turn, each at another point of the motion: a step need not wait for the finger's last one, as in a scene
+/// with many fingers.
 template <Model model, bool cold>
 Pass sixteen_fingers(Skin skin, Motion motion) {
   constexpr std::size_t count = 16;
@@ -87,7 +89,8 @@ Pass sixteen_fingers(Skin skin, Motion motion) {
                });
 }
 
-// ---- a grasp: two fingers pinch a block; they carry it up and down (held), or they slide and turn on it, opposite ways (slip)
+// ---- a grasp: two fingers pinch a block; they carry it up and down (held), or they slide and turn on it, opposite
+// ways (slip)
 
 template <Model model>
 Pass grasp(Skin skin, bool slips) {
@@ -96,7 +99,8 @@ Pass grasp(Skin skin, bool slips) {
   const auto devices = [slips](std::size_t i) {
     const double phase = 2.0 * pi * static_cast<double>(i) / static_cast<double>(steps * stretches);
     const Vector3d middle = slips ? Vector3d(0.0, 0.0, 0.0) : Vector3d(0.0, 0.0, 0.01 * std::sin(phase));
-    const Vector3d apart = slips ? Vector3d(0.01 * std::sin(phase), 0.005 * std::cos(phase), 0.018) : Vector3d(0.0, 0.0, 0.018);
+    const Vector3d apart =
+        slips ? Vector3d(0.01 * std::sin(phase), 0.005 * std::cos(phase), 0.018) : Vector3d(0.0, 0.0, 0.018);
     const double twist = slips ? std::sin(phase) : 0.0;
     return std::array<DevicePose, 2>{DevicePose{middle + apart, Eigen::Quaterniond::Identity(), twist},
                                      DevicePose{middle - apart, Eigen::Quaterniond::Identity(), twist}};
@@ -145,7 +149,8 @@ std::vector<Inputs<Real>> batch_inputs(std::size_t count, Motion motion) {
     } else {
       const bool wild = motion == Motion::wild;
       const double reach = wild ? 0.01 : 5e-5, turn = wild ? 1.5 : 0.002, change = wild ? 0.001 : 1e-4;
-      for (Inputs<Real>& input : result) set(input, i, reach * random(), reach * random(), turn * random(), 0.002 + change * random());
+      for (Inputs<Real>& input : result)
+        set(input, i, reach * random(), reach * random(), turn * random(), 0.002 + change * random());
     }
   }
   return result;
@@ -214,7 +219,9 @@ Pass building(const std::string& law, double tolerance) {
 
 std::vector<Workload> workloads() {
   std::vector<Workload> result;
-  const auto add = [&](const std::string& name, std::function<Pass()> make) { result.emplace_back(name, std::move(make)); };
+  const auto add = [&](const std::string& name, std::function<Pass()> make) {
+    result.emplace_back(name, std::move(make));
+  };
 
   const std::array<std::pair<const char*, Skin>, 4> skins{
       {{"plain", {false, false}}, {"dampers", {true, false}}, {"a(P)", {false, true}}, {"dampers+a(P)", {true, true}}}};
@@ -235,7 +242,8 @@ std::vector<Workload> workloads() {
   const auto add_grasps = [&]<Model model>(const std::string& curve) {
     for (const auto& [skin_name, skin] : {skins.front(), skins.back()}) {
       for (const bool slips : {false, true}) {
-        add("grasp/" + curve + '/' + skin_name + (slips ? "/slip" : "/held"), [=] { return grasp<model>(skin, slips); });
+        add("grasp/" + curve + '/' + skin_name + (slips ? "/slip" : "/held"),
+            [=] { return grasp<model>(skin, slips); });
       }
     }
   };
@@ -243,11 +251,13 @@ std::vector<Workload> workloads() {
   add_grasps.operator()<Model::table_closest_point>("table-closest");
 
   const auto add_batches = [&]<Model model, class Real>(const std::string& curve) {
-    const auto add_batch = [&](Skin skin, const char* skin_name, std::size_t count, Motion motion, const char* motion_name) {
+    const auto add_batch = [&](Skin skin, const char* skin_name, std::size_t count, Motion motion,
+                               const char* motion_name) {
       add("batch/" + curve + '/' + skin_name + '/' + motion_name + '/' + std::to_string(count),
           [=] { return batch<model, Real>(skin, count, motion); });
     };
-    for (const std::size_t count : {64, 1024, 16384, 1000000, 10000000}) add_batch(Skin{}, "plain", count, Motion::slow, "slip");
+    for (const std::size_t count : {64, 1024, 16384, 1000000, 10000000})
+      add_batch(Skin{}, "plain", count, Motion::slow, "slip");
     add_batch(Skin{}, "plain", 1024, Motion::held, "held");
     add_batch(Skin{}, "plain", 1024, Motion::wild, "wild");
     add_batch(Skin{.radius_grows = true}, "a(P)", 1024, Motion::slow, "slip");
@@ -258,17 +268,17 @@ std::vector<Workload> workloads() {
   add_batches.operator()<Model::table_closest_point, float>("float/table-closest");
 
   for (const char* law : {"hertz", "power:n=2.3"}) {
-    for (const auto& [name, tolerance] :
-         {std::pair{"1e-4", 1e-4}, std::pair{"1e-6", 1e-6}, std::pair{"1e-8", 1e-8}, std::pair{"finest", finest_tolerance}}) {
+    for (const auto& [name, tolerance] : {std::pair{"1e-4", 1e-4}, std::pair{"1e-6", 1e-6}, std::pair{"1e-8", 1e-8},
+                                          std::pair{"finest", finest_tolerance}}) {
       add(std::string("wrench/") + law + '/' + name, [=, tolerance = tolerance] { return wrenches(law, tolerance); });
     }
     add(std::string("build/") + law + "/1e-8", [=] { return building(law, 1e-8); });
   }
   std::vector<double> pressures;
   for (int i = 0; i < 64 * 64; ++i) pressures.push_back(1.0 + i % 7);
-  for (const auto& [name, patch] :
-       {std::pair{"rectangle", Patch::rectangle(0.02, 0.01)}, std::pair{"elliptic hertz 2:1", Patch::ellipse(hertz(), 0.008, 0.004)},
-        std::pair{"image 64 x 64", Patch::image(pressures, 64, 1e-3)}}) {
+  for (const auto& [name, patch] : {std::pair{"rectangle", Patch::rectangle(0.02, 0.01)},
+                                    std::pair{"elliptic hertz 2:1", Patch::ellipse(hertz(), 0.008, 0.004)},
+                                    std::pair{"image 64 x 64", Patch::image(pressures, 64, 1e-3)}}) {
     add(std::string("patch/") + name + "/COR inside", [=, patch = patch] { return wrenches(patch, 0.01, 0.5); });
     add(std::string("patch/") + name + "/COR outside", [=, patch = patch] { return wrenches(patch, 1.01, 100.0); });
   }

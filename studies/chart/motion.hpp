@@ -36,8 +36,8 @@ struct Sample {
   double x, y, depth, twist;
 };
 
-/// Held: trembles within the limit. Slow: slips in every step of 0.1 mm, the centre of rotation wanders once over its range and back, the
-/// load changes a little. Wild: jumps of centimetres and radians in all directions, under any load.
+/// Held: trembles within the limit. Slow: slips in every step of 0.1 mm, the centre of rotation wanders once over its
+/// range and back, the load changes a little. Wild: jumps of centimetres and radians in all directions, under any load.
 /// At 2 mm the load is 2 N and the friction limit 1.2 N, a deflection of 1.2 mm.
 inline std::vector<Sample> move(Motion motion) {
   Random random;

@@ -27,8 +27,8 @@ inline double pressure_at(const PressureLaw& law, double radius, double rim) {
   return exponent == 0.0 ? regular : regular * std::pow(rim, exponent);
 }
 
-/// Eq. (17) summed over the N × N cells of a square around the contact, as papers do. The pressure of each cell is taken
-/// beforehand and scaled to load 1, which is to the grid's advantage.
+/// Eq. (17) summed over the N × N cells of a square around the contact, as papers do. The pressure of each cell is
+/// taken beforehand and scaled to load 1, which is to the grid's advantage.
 class Grid {
  public:
   Grid(const PressureLaw& law, int cells) {
@@ -75,8 +75,8 @@ inline double printed_integrand(const PressureLaw& law, bool moment, double s, d
   return weight * (moment ? radius * radius - s * x : s - x) / distance;
 }
 
-/// The angular integral in closed form by Carlson's integrals, the radius by Boost's tanh–sinh rule, split at ρ = s and where the pressure
-/// has kinks, with the rim's infinite pressure taken into the variable.
+/// The angular integral in closed form by Carlson's integrals, the radius by Boost's tanh–sinh rule, split at ρ = s and
+/// where the pressure has kinks, with the rim's infinite pressure taken into the variable.
 class BoostSplit {
  public:
   BoostSplit(const PressureLaw& law, double tolerance)
@@ -98,10 +98,11 @@ class BoostSplit {
   }
 
  private:
-  using Quiet = boost::math::policies::policy<boost::math::policies::promote_double<false>,
-                                              boost::math::policies::domain_error<boost::math::policies::ignore_error>,
-                                              boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
-                                              boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
+  using Quiet =
+      boost::math::policies::policy<boost::math::policies::promote_double<false>,
+                                    boost::math::policies::domain_error<boost::math::policies::ignore_error>,
+                                    boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
+                                    boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
 
   static UnitWrench kernel(double rho, double s, double from_cor) {
     constexpr double scale = 0.6366197723675814;  // 2/π
@@ -173,8 +174,9 @@ class BoostNested {
   double tolerance_;
 };
 
-/// Hermite cubics over equal cells of the spin fraction with the exact curve's slopes: the most obvious table. A cell's coefficients of force
-/// and moment alternate, so that one vector instruction serves both. It has no error bound, and equal cells give a large error at the rim.
+/// Hermite cubics over equal cells of the spin fraction with the exact curve's slopes: the most obvious table. A cell's
+/// coefficients of force and moment alternate, so that one vector instruction serves both. It has no error bound, and
+/// equal cells give a large error at the rim.
 class EqualHermite {
  public:
   template <class Exact>
@@ -202,7 +204,8 @@ class EqualHermite {
     const std::size_t i = std::min(static_cast<std::size_t>(place), cells_.size() - 1);
     const double x = place - static_cast<double>(i);
     const auto& [a, b, c, d] = cells_[i];
-    return {a.force + x * (b.force + x * (c.force + x * d.force)), a.moment + x * (b.moment + x * (c.moment + x * d.moment))};
+    return {a.force + x * (b.force + x * (c.force + x * d.force)),
+            a.moment + x * (b.moment + x * (c.moment + x * d.moment))};
   }
 
  private:

@@ -37,7 +37,8 @@ inline std::vector<Way>& ways() {
 
 /// Error in the norm of a table's tolerance (docs/accuracy.md): the larger of |Δf| and |Δm|/max(1, m₀).
 inline double tolerance_error(UnitWrench one, UnitWrench other, double moment_ratio) {
-  return std::fmax(std::fabs(one.force - other.force), std::fabs(one.moment - other.moment) / std::fmax(1.0, moment_ratio));
+  return std::fmax(std::fabs(one.force - other.force),
+                   std::fabs(one.moment - other.moment) / std::fmax(1.0, moment_ratio));
 }
 
 /// A low-discrepancy sequence in [0, 1], in an order that a branch predictor cannot learn.
@@ -67,8 +68,8 @@ double rough_cost(const Call& call) {
   }
 }
 
-/// A pressure law with its reference: the 50-digit values of data/reference at its centres of rotation, and between these `evaluate` in
-/// 80-bit arithmetic. Methods are added as calls from a slip twist to a unit wrench.
+/// A pressure law with its reference: the 50-digit values of data/reference at its centres of rotation, and between
+/// these `evaluate` in 80-bit arithmetic. Methods are added as calls from a slip twist to a unit wrench.
 class WrenchStudy {
  public:
   WrenchStudy(std::string_view law_name, Law law) : law_name_(law_name), law_(std::move(law)) {
@@ -91,8 +92,10 @@ class WrenchStudy {
 
   /// `kind` is "ours" or "others"; `family` and `parameter` are the chart's names of the method; `bytes` is its memory.
   template <class Call>
-  void add(std::string_view kind, std::string_view family, std::string_view parameter, std::size_t bytes, Call call) const {
-    const std::string name = "wrench/" + law_name_ + '/' + std::string(kind) + '/' + std::string(family) + '/' + std::string(parameter);
+  void add(std::string_view kind, std::string_view family, std::string_view parameter, std::size_t bytes,
+           Call call) const {
+    const std::string name =
+        "wrench/" + law_name_ + '/' + std::string(kind) + '/' + std::string(family) + '/' + std::string(parameter);
     const auto at = [call](double u) {
       const UnitWrench wrench = call(SlipTwist::of_spin_fraction(u));
       return wrench.force + wrench.moment;
@@ -108,7 +111,8 @@ class WrenchStudy {
       }
       if (std::isnan(*max_error)) *max_error = max_error_of(call, rough);
       const auto calls = static_cast<double>(inputs.size());
-      state.counters["seconds"] = benchmark::Counter(calls, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      state.counters["seconds"] =
+          benchmark::Counter(calls, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
       state.counters["max_error"] = *max_error;
       state.counters["bytes"] = static_cast<double>(bytes);
     };
@@ -117,37 +121,40 @@ class WrenchStudy {
   }
 
  private:
-  /// The same where the data are not in the first cache: a scene's 64 tables, visited at random. A copy of `Call` has memory of its own.
+  /// The same where the data are not in the first cache: a scene's 64 tables, visited at random. A copy of `Call` has
+  /// memory of its own.
   template <class Call>
   static void add_many(const std::string& name, const Call& call) {
-    ways().push_back(
-        {"many_" + name,
-         [call](benchmark::State& state) {
-           const std::vector<Call> tables(64, call);
-           std::vector<std::pair<SlipTwist, const Call*>> visits;
-           for (const double u : spread(1 << 16)) {
-             const double which = u * 7919.0;  // independent of u, as far as a look-up goes
-             visits.emplace_back(SlipTwist::of_spin_fraction(u), &tables[static_cast<std::size_t>(64.0 * (which - std::floor(which)))]);
-           }
-           for (auto _ : state) {
-             double sum = 0.0;
-             for (const auto& [twist, table] : visits) {
-               const UnitWrench wrench = (*table)(twist);
-               sum += wrench.force + wrench.moment;
-             }
-             benchmark::DoNotOptimize(sum);
-           }
-           state.counters["seconds"] = benchmark::Counter(static_cast<double>(visits.size()),
-                                                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-         },
-         10.0});
+    ways().push_back({"many_" + name,
+                      [call](benchmark::State& state) {
+                        const std::vector<Call> tables(64, call);
+                        std::vector<std::pair<SlipTwist, const Call*>> visits;
+                        for (const double u : spread(1 << 16)) {
+                          const double which = u * 7919.0;  // independent of u, as far as a look-up goes
+                          visits.emplace_back(SlipTwist::of_spin_fraction(u),
+                                              &tables[static_cast<std::size_t>(64.0 * (which - std::floor(which)))]);
+                        }
+                        for (auto _ : state) {
+                          double sum = 0.0;
+                          for (const auto& [twist, table] : visits) {
+                            const UnitWrench wrench = (*table)(twist);
+                            sum += wrench.force + wrench.moment;
+                          }
+                          benchmark::DoNotOptimize(sum);
+                        }
+                        state.counters["seconds"] = benchmark::Counter(
+                            static_cast<double>(visits.size()),
+                            benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+                      },
+                      10.0});
   }
 
   template <class Call>
   double max_error_of(const Call& call, double rough) const {
     double worst = 0.0;
     const auto count = std::min(places_.size(), special_ + static_cast<std::size_t>(std::max(2e8 / rough, 9.0)));
-    for (std::size_t i = 0; i < count; ++i) worst = std::fmax(worst, tolerance_error(call(places_[i]), references_[i], moment_ratio_));
+    for (std::size_t i = 0; i < count; ++i)
+      worst = std::fmax(worst, tolerance_error(call(places_[i]), references_[i], moment_ratio_));
     return worst;
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Error against time of every method to compute a friction wrench, ours and others'. studies/chart/measure runs it and draws the
-// chart; by hand it is a Google Benchmark.
+// Error against time of every method to compute a friction wrench, ours and others'. studies/chart/measure runs it and
+// draws the chart; by hand it is a Google Benchmark.
 #include "by_ring.hpp"
 #include "number_text.hpp"
 #include "peers.hpp"
@@ -21,7 +21,8 @@
 namespace limitcurve::bench {
 namespace {
 
-// The other methods are not called beyond this COR, because they do not accept s = ∞; the wrench no longer changes there.
+// The other methods are not called beyond this COR, because they do not accept s = ∞; the wrench no longer changes
+// there.
 constexpr double farthest = 1e17;
 
 template <class Curve>
@@ -42,7 +43,8 @@ template <class Rule>
 void add_of_cor(const WrenchStudy& study, const char* family, const std::string& parameter, Rule rule) {
   std::size_t bytes = 0;
   if constexpr (requires { rule.bytes(); }) bytes = rule.bytes();
-  study.add("others", family, parameter, bytes, [rule](SlipTwist twist) { return rule(std::min(twist.cor(), farthest)); });
+  study.add("others", family, parameter, bytes,
+            [rule](SlipTwist twist) { return rule(std::min(twist.cor(), farthest)); });
 }
 
 void add_evaluators(const WrenchStudy& study) {
@@ -57,7 +59,8 @@ void add_evaluators(const WrenchStudy& study) {
   });
   const auto add_method = [&](const char* family, limitcurve::Method method) {
     if (law->allows(method))
-      study.add("ours", family, "80 bit", 0, [law, method](SlipTwist twist) { return law->evaluate(twist.cor(), method).wrench; });
+      study.add("ours", family, "80 bit", 0,
+                [law, method](SlipTwist twist) { return law->evaluate(twist.cor(), method).wrench; });
   };
   add_method("ring", limitcurve::Method::ring);
   add_method("punch", limitcurve::Method::punch);

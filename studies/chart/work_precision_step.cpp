@@ -43,9 +43,9 @@ struct SteadyError {
   double mean = 0.0;
 };
 
-/// Error of the steady wrench over stiffness ratios k_r/k_l/(m₀a)² and CORs a decade on either side of 1: many CORs, because a table's
-/// error differs from cell to cell, and inside the rim Hertz is a polynomial. The fingers stay and the proxies move, by steps that a float
-/// resolves.
+/// Error of the steady wrench over stiffness ratios k_r/k_l/(m₀a)² and CORs a decade on either side of 1: many CORs,
+/// because a table's error differs from cell to cell, and inside the rim Hertz is a polynomial. The fingers stay and
+/// the proxies move, by steps that a float resolves.
 template <class Real>
 SteadyError steady_error(const Law& law, const BasicFingerCurve<Real>& curve, Projection projection) {
   constexpr int steps = 1000;           // forgets the start to rounding
@@ -88,14 +88,15 @@ struct Sample {
   double twist;
 };
 
-/// Slides and twists so that the centre of rotation moves slowly over the whole range: every step slips. The contacts are prepared
-/// before the timing.
+/// Slides and twists so that the centre of rotation moves slowly over the whole range: every step slips. The contacts
+/// are prepared before the timing.
 std::vector<Sample> slow_motion(std::size_t count) {
   std::vector<Sample> samples;
   double x = 0.0;
   double twist = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
-    const double u = 0.5 - 0.45 * std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count));
+    const double u =
+        0.5 - 0.45 * std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count));
     x += 1e-4 * (1.0 - u);
     twist += 1e-4 * u / radius;
     samples.push_back({{{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), depth}, twist});
@@ -104,7 +105,8 @@ std::vector<Sample> slow_motion(std::size_t count) {
 }
 const std::vector<Sample> motion = slow_motion(4096);
 
-/// A finger that runs the motion step by step; `cold` forgets the position of the last slip (no warm start), but not that it slipped.
+/// A finger that runs the motion step by step; `cold` forgets the position of the last slip (no warm start), but not
+/// that it slipped.
 class Stepper {
  public:
   Stepper(const FingerCurve& curve, Projection projection, bool cold)
@@ -134,7 +136,8 @@ void set(benchmark::State& state, const SteadyError& error) {
   state.counters["mean_error"] = error.mean;
 }
 
-void step_one(benchmark::State& state, const FingerCurve& curve, Projection projection, bool cold, const SteadyError& error) {
+void step_one(benchmark::State& state, const FingerCurve& curve, Projection projection, bool cold,
+              const SteadyError& error) {
   Stepper stepper(curve, projection, cold);
   for (auto _ : state) benchmark::DoNotOptimize(stepper.step());
   set(state, error);
@@ -150,11 +153,11 @@ void step_many(benchmark::State& state, const FingerCurve& curve, Projection pro
   state.counters["seconds"] = seconds_of(many.size());
 }
 
-/// Contacts whose fingers move to and fro by more than the largest deflection, so that all of them slip in every step. Only the step is
-/// timed:
-/// moving to and fro is an exchange of arrays.
+/// Contacts whose fingers move to and fro by more than the largest deflection, so that all of them slip in every step.
+/// Only the step is timed: moving to and fro is an exchange of arrays.
 template <class Real>
-void step_batch(benchmark::State& state, const BasicFingerCurve<Real>& curve, Projection projection, const SteadyError& error) {
+void step_batch(benchmark::State& state, const BasicFingerCurve<Real>& curve, Projection projection,
+                const SteadyError& error) {
   constexpr std::size_t count = 1024;
   const BasicBatch<Real> batch(curve, parameters(2.0, curve.moment_ratio()), projection);
   BasicContactArrays<Real> arrays(count);
@@ -187,9 +190,11 @@ void step_batch(benchmark::State& state, const BasicFingerCurve<Real>& curve, Pr
 
 void register_steps() {
   const Law law = hertz();
-  const auto add_batch = [&]<class Real>(const std::string& name, const BasicFingerCurve<Real>& curve, Projection projection) {
+  const auto add_batch = [&]<class Real>(const std::string& name, const BasicFingerCurve<Real>& curve,
+                                         Projection projection) {
     const SteadyError error = steady_error(law, curve, projection);
-    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { step_batch<Real>(state, curve, projection, error); })
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [=](benchmark::State& state) { step_batch<Real>(state, curve, projection, error); })
         ->MinTime(0.01)
         ->Repetitions(9);
   };

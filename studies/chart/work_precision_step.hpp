@@ -3,8 +3,8 @@
 
 namespace limitcurve::bench {
 
-/// The god-object's step, curve by projection: one finger, sixteen in turn, batches of 1 to 65536 contacts, and how their cost grows from
-/// 10³ to 10⁷. The error is that of the steady wrench under a constant twist, against eq. (17).
+/// The god-object's step, curve by projection: one finger, sixteen in turn, batches of 1 to 65536 contacts, and how
+/// their cost grows from 10³ to 10⁷. The error is that of the steady wrench under a constant twist, against eq. (17).
 void register_steps();
 
 }  // namespace limitcurve::bench

@@ -28,7 +28,8 @@ struct Times {
 
 using Pass = std::function<void(Times&)>;
 
-/// A pass of `stretches` calls of `stretch(index)`, each of which takes `steps` steps and returns the sum of their results.
+/// A pass of `stretches` calls of `stretch(index)`, each of which takes `steps` steps and returns the sum of their
+/// results.
 template <class Stretch>
 Pass timed(std::size_t stretches, std::size_t steps, Stretch stretch) {
   return [stretches, steps, stretch = std::move(stretch)](Times& times) mutable {

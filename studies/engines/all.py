@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The points measured in the named engines (modules in_NAME beside this one), as CSV; an engine that is not installed is missing from it."""
+"""The points measured in the named engines (modules in_NAME beside this one), as CSV; an engine that is not installed
+is missing from it."""
 
 import csv
 import importlib
@@ -10,8 +11,8 @@ import sys
 results = os.fdopen(os.dup(1), "w")
 os.dup2(2, 1)
 writer = csv.DictWriter(
-    results, ["engine", "version", "model", "c", "force", "moment", "exact_force", "exact_moment", "law", "contact"], lineterminator="\n"
-)
+    results, ["engine", "version", "model", "c", "force", "moment", "exact_force", "exact_moment", "law", "contact"],
+    lineterminator="\n")
 if "--header" in sys.argv:
     writer.writeheader()
 for name in sys.argv[1:]:

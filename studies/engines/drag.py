@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What all engines share: the contact, the twists, the free body that is dragged, and the comparison with the exact curve.
+"""What all engines share: the contact, the twists, the free body that is dragged, and the comparison with the exact
+curve.
 
-A finger of mu = 0.8 is pressed by 3 N on a plane and dragged about imposed centres of rotation, from pure slide to pure twist. Two of them: a ball with one
-contact point, given the coefficients of `limitcurve translate` for a Hertz contact of a = 5 mm; and a flat disc of 50 mm, for which engines make
-several contact points and friction is mu alone: the exact curve is then the uniform law's.
+A finger of mu = 0.8 is pressed by 3 N on a plane and dragged about imposed centres of rotation, from pure slide to pure
+twist. Two of them: a ball with one contact point, given the coefficients of `limitcurve translate` for a Hertz contact
+of a = 5 mm; and a flat disc of 50 mm, for which engines make several contact points and friction is mu alone: the exact
+curve is then the uniform law's.
 """
 
 import csv
@@ -35,12 +37,17 @@ M0 = moment_ratio("hertz")
 
 def translated(engine):
     rows = limitcurve("translate", "--law", "hertz", "--radius-law", f"constant:a={RADIUS}", "--mu", MU, "--load", LOAD)
-    return {row["parameter"]: float(row["value"]) for row in rows if row["engine"] == engine and row["model"] != "diamond"}
+    return {
+        row["parameter"]: float(row["value"])
+        for row in rows
+        if row["engine"] == engine and row["model"] != "diamond"
+    }
 
 
 def drag_free_body(set_motion, step, motion, slide, spin):
-    """Force, moment and normal force that a free body of MASS and INERTIA meets, from the velocity that it loses in a step; `set_motion(v_x, w_z)` leaves its
-    vertical velocity alone, `motion()` gives v_x, v_z, w_z. Mean of the last quarter of the steps."""
+    """Force, moment and normal force that a free body of MASS and INERTIA meets, from the velocity that it loses in a
+    step; `set_motion(v_x, w_z)` leaves its vertical velocity alone, `motion()` gives v_x, v_z, w_z. Mean of the last
+    quarter of the steps."""
     force = moment = normal = 0.0
     for i in range(STEPS):
         set_motion(slide, spin)
@@ -55,7 +62,8 @@ def drag_free_body(set_motion, step, motion, slide, spin):
 
 
 def measure(engine, version, contact, model, drag, law=None, radius=None):
-    """Rows of drag_pypi.csv. `drag(slide [m/s], spin [rad/s])` gives force [N], moment [N m], normal force [N], signs as they come."""
+    """Rows of drag_pypi.csv. `drag(slide [m/s], spin [rad/s])` gives force [N], moment [N m], normal force [N], signs
+    as they come."""
     law = law or {"ball": "hertz", "disc": "uniform"}[contact]
     radius = radius or {"ball": RADIUS, "disc": DISC_RADIUS}[contact]
     m0 = moment_ratio(law)
@@ -66,14 +74,22 @@ def measure(engine, version, contact, model, drag, law=None, radius=None):
     for (slide, spin), c, truth in zip(twists, places, exact):
         force, moment, normal = drag(SPEED * slide, SPEED * spin / radius)
         yield {
-            "engine": engine, "version": version, "model": model, "c": f"{c:.6g}",
-            "force": f"{abs(force) / (MU * normal):.6f}", "moment": f"{abs(moment) / (m0 * MU * normal * radius):.6f}",
-            "exact_force": f"{float(truth['force']):.6f}", "exact_moment": f"{float(truth['moment']) / m0:.6f}", "law": law, "contact": contact,
+            "engine": engine,
+            "version": version,
+            "model": model,
+            "c": f"{c:.6g}",
+            "force": f"{abs(force) / (MU * normal):.6f}",
+            "moment": f"{abs(moment) / (m0 * MU * normal * radius):.6f}",
+            "exact_force": f"{float(truth['force']):.6f}",
+            "exact_moment": f"{float(truth['moment']) / m0:.6f}",
+            "law": law,
+            "contact": contact,
         }
 
 
 def errors(rows):
-    """(largest radial error against the exact curve, largest distance of the wrenches at one centre of rotation), in the normalised plane."""
+    """(largest radial error against the exact curve, largest distance of the wrenches at one centre of rotation), in
+    the normalised plane."""
     curve = limitcurve("curve", "--law", rows[0]["law"], "--points", 2001)
     polar = sorted((math.atan2(float(r["y"]), float(r["x"])), math.hypot(float(r["x"]), float(r["y"]))) for r in curve)
     radial = apart = 0.0

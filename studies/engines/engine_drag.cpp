@@ -24,8 +24,8 @@ constexpr double friction = 0.8;
 constexpr double radius = 0.005;  // [m]
 constexpr double load = 3.0;      // [N]
 
-/// The wrench of one step over mu N and mu N a, N the normal force of that step. The contact is at the body's centre, so that force and
-/// moment do not mix.
+/// The wrench of one step over mu N and mu N a, N the normal force of that step. The contact is at the body's centre,
+/// so that force and moment do not mix.
 UnitWrench drag(std::map<std::string, dReal>& typed, SlipTwist twist) {
   constexpr double gravity = 10.0;
   dInitODE2(0);
@@ -56,7 +56,8 @@ UnitWrench drag(std::map<std::string, dReal>& typed, SlipTwist twist) {
   const double limit = friction * static_cast<double>(feedback.f1[2]);
   dWorldDestroy(world);
   dCloseODE();
-  return {std::fabs(static_cast<double>(feedback.f1[0])) / limit, std::fabs(static_cast<double>(feedback.t1[2])) / (limit * radius)};
+  return {std::fabs(static_cast<double>(feedback.f1[0])) / limit,
+          std::fabs(static_cast<double>(feedback.t1[2])) / (limit * radius)};
 }
 
 }  // namespace
@@ -64,9 +65,11 @@ UnitWrench drag(std::map<std::string, dReal>& typed, SlipTwist twist) {
 int main() {
   std::puts("engine,version,model,c,force,moment,exact_force,exact_moment");
   std::map<std::string, dReal> typed;
-  for (const engines::EngineContact& contact : engines::translate(hertz(), RadiusLaw::constant(radius), friction, load)) {
+  for (const engines::EngineContact& contact :
+       engines::translate(hertz(), RadiusLaw::constant(radius), friction, load)) {
     if (contact.engine != "ode") continue;
-    for (const engines::EngineCoefficient& one : contact.coefficients) typed[one.parameter] = static_cast<dReal>(one.value);
+    for (const engines::EngineCoefficient& one : contact.coefficients)
+      typed[one.parameter] = static_cast<dReal>(one.value);
   }
   const double moment_ratio = hertz()->moment_ratio();
   constexpr int steps = 16;
@@ -76,8 +79,8 @@ int main() {
     const SlipTwist twist{(1.0 - spin) * moment_ratio, spin};
     const UnitWrench found = drag(typed, twist);
     const UnitWrench truth = hertz()->evaluate(twist.cor()).wrench;
-    std::printf("ode,%s,box,%.6g,%.6f,%.6f,%.6f,%.6f\n", dODE_VERSION, twist.cor(), found.force, found.moment / moment_ratio, truth.force,
-                truth.moment / moment_ratio);
+    std::printf("ode,%s,box,%.6g,%.6f,%.6f,%.6f,%.6f\n", dODE_VERSION, twist.cor(), found.force,
+                found.moment / moment_ratio, truth.force, truth.moment / moment_ratio);
   }
   return 0;
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""data/engines/holds.csv: does it hold? Two fingers grip a body of 0.5 kg by 15 N each, mu = 0.9, beside its centre. The greatest offset at which
-it turns by less than 2 degrees in 1 s, and its turn in 1 s at half of what `hold` allows, with the numbers of `limitcurve translate`."""
+"""data/engines/holds.csv: does it hold? Two fingers grip a body of 0.5 kg by 15 N each, mu = 0.9, beside its centre.
+The greatest offset at which it turns by less than 2 degrees in 1 s, and its turn in 1 s at half of what `hold` allows,
+with the numbers of `limitcurve translate`."""
 
 import csv
 import importlib
@@ -16,13 +17,14 @@ DISC = ("--law", "hertz", "--radius-law", "constant:a=0.01")
 
 
 def typed(*contact, engine):
-    found = drag.limitcurve("translate", *contact, "--mu", MU, "--engine", engine, *(() if "--patch" in contact else ("--load", GRIP)))
+    found = drag.limitcurve("translate", *contact, "--mu", MU, "--engine", engine,
+                            *(() if "--patch" in contact else ("--load", GRIP)))
     return {row["parameter"]: float(row["value"]) for row in found}
 
 
 def turned(make, offset, enough=math.inf):
-    """Degrees in 1 s, or some more than enough; 90 where the body falls. `make(offset)` is the body between the fingers, as a function that goes on by 1 ms
-    under a weight [N] and gives its turn [rad] and height [m]."""
+    """Degrees in 1 s, or some more than enough; 90 where the body falls. `make(offset)` is the body between the
+    fingers, as a function that goes on by 1 ms under a weight [N] and gives its turn [rad] and height [m]."""
     step = make(offset)
     for i in range(2000):
         angle, height = step(WEIGHT * min(max(i - 300, 0) / 600, 1))
@@ -62,7 +64,8 @@ def main():
     for name in sys.argv[1:]:
         for engine, version, setting, contact, make in importlib.import_module("in_" + name).held():
             limit = allowed(*contact)
-            writer.writerow([engine, version, setting, f"{limit:.4f}", f"{greatest(make):.4f}", f"{turned(make, limit / 2):.3f}"])
+            writer.writerow(
+                [engine, version, setting, f"{limit:.4f}", f"{greatest(make):.4f}", f"{turned(make, limit / 2):.3f}"])
             results.flush()
 
 

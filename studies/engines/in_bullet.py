@@ -27,9 +27,17 @@ def one(given, slide, spin):
         shape = p.createCollisionShape(p.GEOM_SPHERE, radius=drag.BALL_RADIUS)
         body = p.createMultiBody(drag.MASS, shape, basePosition=[0, 0, drag.BALL_RADIUS])
         p.changeDynamics(floor, -1, lateralFriction=1, spinningFriction=0, rollingFriction=0)
-        p.changeDynamics(body, -1, lateralFriction=given["setFriction"], linearDamping=0, angularDamping=0, localInertiaDiagonal=[drag.INERTIA] * 3,
+        p.changeDynamics(body,
+                         -1,
+                         lateralFriction=given["setFriction"],
+                         linearDamping=0,
+                         angularDamping=0,
+                         localInertiaDiagonal=[drag.INERTIA] * 3,
                          activationState=p.ACTIVATION_STATE_DISABLE_SLEEPING)
-        p.changeDynamics(body, -1, spinningFriction=given["setSpinningFriction"], rollingFriction=given["setRollingFriction"])
+        p.changeDynamics(body,
+                         -1,
+                         spinningFriction=given["setSpinningFriction"],
+                         rollingFriction=given["setRollingFriction"])
         vertical = [0.0]  # resetting a place also resets the velocity
 
         def set_motion(v, w):
@@ -54,18 +62,40 @@ def gripped(offset):
     p.resetSimulation() if p.isConnected() else p.connect(p.DIRECT)
     p.setPhysicsEngineParameter(fixedTimeStep=1e-3, numSolverIterations=200, numSubSteps=1)
     given = hold.typed(*hold.DISC, engine="bullet")
-    body = p.createMultiBody(hold.MASS, p.createCollisionShape(p.GEOM_BOX, halfExtents=hold.HALF), basePosition=[-offset, 0, 0])
-    p.changeDynamics(body, -1, lateralFriction=1, spinningFriction=0, rollingFriction=0, linearDamping=0, angularDamping=0,
+    body = p.createMultiBody(hold.MASS,
+                             p.createCollisionShape(p.GEOM_BOX, halfExtents=hold.HALF),
+                             basePosition=[-offset, 0, 0])
+    p.changeDynamics(body,
+                     -1,
+                     lateralFriction=1,
+                     spinningFriction=0,
+                     rollingFriction=0,
+                     linearDamping=0,
+                     angularDamping=0,
                      activationState=p.ACTIVATION_STATE_DISABLE_SLEEPING)
     shape, pads = p.createCollisionShape(p.GEOM_SPHERE, radius=hold.BALL), []
     for way in (-1, 1):
         place = [0, 0, -way * (hold.HALF[2] + hold.BALL)]
-        pads.append(p.createMultiBody(0, -1, basePosition=place, linkMasses=[hold.PAD_MASS], linkCollisionShapeIndices=[shape], linkVisualShapeIndices=[-1],
-                                      linkPositions=[[0, 0, 0]], linkOrientations=[[0, 0, 0, 1]], linkInertialFramePositions=[[0, 0, 0]],
-                                      linkInertialFrameOrientations=[[0, 0, 0, 1]], linkParentIndices=[0], linkJointTypes=[p.JOINT_PRISMATIC],
-                                      linkJointAxis=[[0, 0, way]]))
-        p.changeDynamics(pads[-1], 0, lateralFriction=given["setFriction"], spinningFriction=given["setSpinningFriction"],
-                         rollingFriction=given["setRollingFriction"], jointDamping=hold.SLOWED)
+        pads.append(
+            p.createMultiBody(0,
+                              -1,
+                              basePosition=place,
+                              linkMasses=[hold.PAD_MASS],
+                              linkCollisionShapeIndices=[shape],
+                              linkVisualShapeIndices=[-1],
+                              linkPositions=[[0, 0, 0]],
+                              linkOrientations=[[0, 0, 0, 1]],
+                              linkInertialFramePositions=[[0, 0, 0]],
+                              linkInertialFrameOrientations=[[0, 0, 0, 1]],
+                              linkParentIndices=[0],
+                              linkJointTypes=[p.JOINT_PRISMATIC],
+                              linkJointAxis=[[0, 0, way]]))
+        p.changeDynamics(pads[-1],
+                         0,
+                         lateralFriction=given["setFriction"],
+                         spinningFriction=given["setSpinningFriction"],
+                         rollingFriction=given["setRollingFriction"],
+                         jointDamping=hold.SLOWED)
         p.setJointMotorControl2(pads[-1], 0, p.VELOCITY_CONTROL, force=0)
 
     def step(weight):

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Drake: hydroelastic contact, a field of pressure over a patch; and its point contact, which has no friction moment.
 
-The field of a compliant ball on a rigid plane is parabolic, that of a rigid disc on a compliant half space uniform: these are the exact curves they are compared with,
-as well as Hertz's. Radii are the geometry's: nothing is typed but mu, the modulus and the mesh's size.
+The field of a compliant ball on a rigid plane is parabolic, that of a rigid disc on a compliant half space uniform:
+these are the exact curves they are compared with, as well as Hertz's. Radii are the geometry's: nothing is typed but
+mu, the modulus and the mesh's size.
 """
 
 import importlib.metadata
@@ -10,8 +11,9 @@ import math
 
 import drag
 import hold
-from pydrake.geometry import (AddCompliantHydroelasticProperties, AddCompliantHydroelasticPropertiesForHalfSpace, AddContactMaterial,
-                              AddRigidHydroelasticProperties, Box, Cylinder, HalfSpace, ProximityProperties, Sphere)
+from pydrake.geometry import (AddCompliantHydroelasticProperties, AddCompliantHydroelasticPropertiesForHalfSpace,
+                              AddContactMaterial, AddRigidHydroelasticProperties, Box, Cylinder, HalfSpace,
+                              ProximityProperties, Sphere)
 from pydrake.math import RigidTransform
 from pydrake.multibody.plant import AddMultibodyPlantSceneGraph, ContactModel, CoulombFriction
 from pydrake.multibody.tree import FixedOffsetFrame, PlanarJoint, PrismaticJoint, SpatialInertia
@@ -27,7 +29,8 @@ def measure():
     yield from drag.measure("drake", version, "ball", "point", lambda v, w: one("point", v, w), "hertz")
     for law in ("hertz", "parabolic"):
         yield from drag.measure("drake", version, "field", "field", lambda v, w: one("ball", v, w), law, patch)
-    yield from drag.measure("drake", version, "field", "field", lambda v, w: one("disc", v, w), "uniform", drag.DISC_RADIUS)
+    yield from drag.measure("drake", version, "field", "field", lambda v, w: one("disc", v, w), "uniform",
+                            drag.DISC_RADIUS)
 
 
 def one(contact, slide, spin):
@@ -37,7 +40,10 @@ def one(contact, slide, spin):
     plant.set_stiction_tolerance(1e-6)
     ground, finger = ProximityProperties(), ProximityProperties()
     for properties in (ground, finger):
-        AddContactMaterial(properties=properties, dissipation=0.0, point_stiffness=1e4, friction=CoulombFriction(drag.MU, drag.MU))
+        AddContactMaterial(properties=properties,
+                           dissipation=0.0,
+                           point_stiffness=1e4,
+                           friction=CoulombFriction(drag.MU, drag.MU))
     if contact == "disc":
         shape, height = Cylinder(drag.DISC_RADIUS, 0.01), 0.005
         AddCompliantHydroelasticPropertiesForHalfSpace(0.01, 1e6, ground)
@@ -70,7 +76,9 @@ def one(contact, slide, spin):
 
 
 def held():
-    yield "drake", importlib.metadata.version("drake"), "ball, hydroelastic, a = 10 mm", ("--law", "parabolic", "--radius-law", "constant:a=0.01"), gripped
+    yield "drake", importlib.metadata.version("drake"), "ball, hydroelastic, a = 10 mm", ("--law", "parabolic",
+                                                                                          "--radius-law",
+                                                                                          "constant:a=0.01"), gripped
 
 
 def gripped(offset):
@@ -91,7 +99,8 @@ def gripped(offset):
     for way in (-1, 1):
         pad = plant.AddRigidBody(f"pad{way}", SpatialInertia.SolidSphereWithMass(hold.PAD_MASS, BALL))
         plant.RegisterCollisionGeometry(pad, RigidTransform(), Sphere(BALL), "ball", soft)
-        place = plant.AddFrame(FixedOffsetFrame(f"at{way}", plant.world_frame(), RigidTransform([0, 0, -way * (hold.HALF[2] + BALL)])))
+        place = plant.AddFrame(
+            FixedOffsetFrame(f"at{way}", plant.world_frame(), RigidTransform([0, 0, -way * (hold.HALF[2] + BALL)])))
         plant.AddJoint(PrismaticJoint(f"slide{way}", place, pad.body_frame(), [0, 0, way], damping=hold.SLOWED))
     plant.Finalize()
     diagram = builder.Build()

@@ -15,15 +15,23 @@ def measure():
     ball = f'condim="4" friction="{given["geom.friction[0]"]} {given["geom.friction[1]"]} 0"'
     elliptic = f'cone="elliptic" impratio="{given["option.impratio"]}"'
     disc = f'condim="3" friction="{drag.MU} 0 0"'
-    for contact, model, geom, option, speed in (("ball", "ellipse", ball, elliptic, 0.01), ("ball", "diamond", ball, 'cone="pyramidal"', 0.1), ("disc", "points", disc, elliptic, 0.01)):
-        yield from drag.measure("mujoco", mujoco.__version__, contact, model, lambda v, w, a=(contact, geom, option, speed): one(*a, v, w))
+    for contact, model, geom, option, speed in (("ball", "ellipse", ball, elliptic, 0.01), ("ball", "diamond", ball,
+                                                                                            'cone="pyramidal"', 0.1),
+                                                ("disc", "points", disc, elliptic, 0.01)):
+        yield from drag.measure("mujoco",
+                                mujoco.__version__,
+                                contact,
+                                model,
+                                lambda v, w, a=(contact, geom, option, speed): one(*a, v, w))
 
 
 def one(contact, geom, option, speed, slide, spin):
     size = f'type="sphere" size="{drag.BALL_RADIUS}"' if contact == "ball" else f'type="cylinder" size="{drag.DISC_RADIUS} {drag.DISC_HEIGHT / 2}"'
     height = drag.BALL_RADIUS if contact == "ball" else drag.DISC_HEIGHT / 2
-    # On a slide and a hinge so inert that friction does not slow them. Contacts are soft: slow slip meets viscous friction, fast slip lifts the finger.
-    model = mujoco.MjModel.from_xml_string(f"""<mujoco><option timestep="0.0005" gravity="0 0 {-drag.GRAVITY}" tolerance="0" iterations="200" {option}/>
+    # On a slide and a hinge so inert that friction does not slow them. Contacts are soft: slow slip meets viscous
+    # friction, fast slip lifts the finger.
+    model = mujoco.MjModel.from_xml_string(
+        f"""<mujoco><option timestep="0.0005" gravity="0 0 {-drag.GRAVITY}" tolerance="0" iterations="200" {option}/>
       <worldbody><geom type="plane" size="0 0 1" {geom}/><body pos="0 0 {height}"><joint type="slide" axis="0 0 1"/>
       <joint type="slide" axis="1 0 0" armature="1e6"/><joint type="hinge" axis="0 0 1" armature="1e3"/>
       <geom {size} mass="{drag.MASS}" {geom}/></body></worldbody></mujoco>""")
@@ -95,13 +103,17 @@ def held():
     box, elliptic, pyramid = 'type="box" size="0.01 0.006 0.01"', 'cone="elliptic" impratio="10"', 'cone="pyramidal"'
     noslip, more = 'noslip_iterations="3"', f'{elliptic} noslip_iterations="200"'
     for setting, contact, geom, option in (
-        ("ball as listed", hold.DISC, disc, f"{elliptic} {noslip}"), ("ball without noslip", hold.DISC, disc, elliptic),
+        ("ball as listed", hold.DISC, disc, f"{elliptic} {noslip}"),
+        ("ball without noslip", hold.DISC, disc, elliptic),
         ("ball without noslip, impratio 1e4", hold.DISC, disc, 'cone="elliptic" impratio="1e4"'),
-        ("ball, pyramid", hold.DISC, disc, pyramid), ("ball, pyramid and noslip", hold.DISC, disc, f"{pyramid} {noslip}"),
+        ("ball, pyramid", hold.DISC, disc, pyramid),
+        ("ball, pyramid and noslip", hold.DISC, disc, f"{pyramid} {noslip}"),
         ("box 20x12 mm by one ball", patch, pad, f"{elliptic} {noslip}"),
         ("box 20x12 mm, noslip 200, condim 4", patch, f'{box} condim="4" friction="{hold.MU} {mu_r} 0"', more),
         ("box 20x12 mm, noslip 200, condim 3", patch, f'{box} condim="3" friction="{hold.MU} 0 0"', more),
-        ("disc of radius m0 a, noslip 200, condim 3", patch, f'type="cylinder" size="{mu_r / hold.MU} 0.01" condim="3" friction="{hold.MU} 0 0"', more),
+        ("disc of radius m0 a, noslip 200, condim 3", patch,
+         f'type="cylinder" size="{mu_r / hold.MU} 0.01" condim="3" friction="{hold.MU} 0 0"', more),
     ):
         yield "mujoco", mujoco.__version__, setting, contact, lambda offset, a=(geom, option): gripped(*a, offset)
-    yield "mujoco-warp", importlib.metadata.version("mujoco-warp"), "ball, impratio 1e4", hold.DISC, lambda offset: gripped_in_warp(disc, offset)
+    yield "mujoco-warp", importlib.metadata.version(
+        "mujoco-warp"), "ball, impratio 1e4", hold.DISC, lambda offset: gripped_in_warp(disc, offset)

@@ -23,10 +23,16 @@ def measure():
 class Finger:
     def __init__(self, given, make):
         builder = newton.ModelBuilder(gravity=(0, 0, -drag.GRAVITY))
-        shape = newton.ModelBuilder.ShapeConfig(density=0.0, mu=given["ShapeConfig.mu"], mu_torsional=given["ShapeConfig.mu_torsional"], mu_rolling=0.0)
+        shape = newton.ModelBuilder.ShapeConfig(density=0.0,
+                                                mu=given["ShapeConfig.mu"],
+                                                mu_torsional=given["ShapeConfig.mu_torsional"],
+                                                mu_rolling=0.0)
         builder.add_ground_plane(cfg=shape)
         inertia = wp.mat33(*(drag.INERTIA * np.eye(3)).ravel())
-        body = builder.add_body(xform=wp.transform((0, 0, drag.BALL_RADIUS), wp.quat_identity()), mass=drag.MASS, inertia=inertia, lock_inertia=True)
+        body = builder.add_body(xform=wp.transform((0, 0, drag.BALL_RADIUS), wp.quat_identity()),
+                                mass=drag.MASS,
+                                inertia=inertia,
+                                lock_inertia=True)
         builder.add_shape_sphere(body, radius=drag.BALL_RADIUS, cfg=shape)
         self.model = builder.finalize(device="cpu")
         self.solver = make(self.model)

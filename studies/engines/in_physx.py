@@ -11,7 +11,11 @@ def measure():
     version = f"{physx} by SAPIEN {sapien.__version__}"
     given = drag.translated("physx")
     for contact, model in (("ball", "box"), ("disc", "points")):
-        yield from drag.measure("physx", version, contact, model, lambda v, w, contact=contact: one(given, contact, v, w))
+        yield from drag.measure("physx",
+                                version,
+                                contact,
+                                model,
+                                lambda v, w, contact=contact: one(given, contact, v, w))
 
 
 def one(given, contact, slide, spin):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """data/engines/cors.csv: a ball in MuJoCo (Hertz, mu = 0.8, a = 5 mm, 3 N) is pushed slowly. numbers: those of
-`limitcurve translate`, or of `tangent_ellipse`; lever: moment over force of friction [a]; error: the distance of the centre of rotation over the exact, less 1."""
+`limitcurve translate`, or of `tangent_ellipse`; lever: moment over force of friction [a]; error: the distance of the
+centre of rotation over the exact, less 1."""
 
 import csv
 import sys
@@ -13,10 +14,12 @@ MU, A, LOAD = 0.8, 0.005, 3
 
 
 def pushed(table, lever, follows):
-    """Relative errors of the gauge and of the centre of rotation, and the lever of friction [a], where the push has `lever`."""
+    """Relative errors of the gauge and of the centre of rotation, and the lever of friction [a], where the push has
+    `lever`."""
     wrench = np.zeros(6)
     typed = f'condim="4" priority="1" friction="{MU} {MU * A * table.moment_ratio} 0"'
-    model = mujoco.MjModel.from_xml_string(f"""<mujoco><option timestep="0.001" gravity="0 0 -10" cone="elliptic" impratio="100" tolerance="1e-14"/>
+    model = mujoco.MjModel.from_xml_string(
+        f"""<mujoco><option timestep="0.001" gravity="0 0 -10" cone="elliptic" impratio="100" tolerance="1e-14"/>
       <worldbody><geom type="plane" size="0 0 1"/><body pos="0 0 0.02"><joint type="slide" axis="0 0 1" damping="20"/>
       <joint type="slide" axis="1 0 0" damping="100"/><joint type="hinge" axis="0 0 1" damping="{100 * A * A}"/>
       <geom type="sphere" size="0.02" mass="{LOAD / 10}" {typed}/></body></worldbody></mujoco>""")
@@ -32,7 +35,8 @@ def pushed(table, lever, follows):
     cors = np.geomspace(1e-3, 1e3, 100_001)
     on_ray = np.divide(*table.evaluate(cors))
     cor = np.exp(np.interp(np.log(force / moment), np.log(on_ray), np.log(cors)))
-    return table.gauge(force, moment) / (MU * wrench[0]) - 1, abs(data.qvel[1] / data.qvel[2]) / A / cor - 1, moment / force
+    return table.gauge(force, moment) / (MU * wrench[0]) - 1, abs(
+        data.qvel[1] / data.qvel[2]) / A / cor - 1, moment / force
 
 
 def main():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""data/engines/errors.csv: how far each engine's friction was from the exact curve, from the points in drag.csv and drag_pypi.csv."""
+"""data/engines/errors.csv: how far each engine's friction was from the exact curve, from the points in drag.csv and
+drag_pypi.csv."""
 
 import csv
 import sys
@@ -15,8 +16,9 @@ for path in sys.argv[1:]:
             points.setdefault(tuple(row[name] for name in ("engine", "model", "contact", "law")), []).append(row)
 
 writer = csv.writer(sys.stdout, lineterminator="\n")
-print("# Made by studies/engines/measure. radial: largest error of the limit curve's radius; same_cor: largest distance of the wrench at the same centre of "
-      "rotation, over the limits; points: centres of rotation.")
+print(
+    "# Made by studies/engines/measure. radial: largest error of the limit curve's radius; same_cor: largest distance of the wrench at the same centre of "
+    "rotation, over the limits; points: centres of rotation.")
 writer.writerow(["engine", "version", "model", "contact", "law", "radial", "same_cor", "points"])
 for (engine, model, contact, law), rows in sorted(points.items()):
     radial, apart = drag.errors(rows)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// stability_study DIR: measures every entry of docs/stability.md and writes summary.csv (a line for each finding) and a CSV for each figure
-// (panel,series,x,value) into DIR. studies/failures/measure draws and documents them.
+// stability_study DIR: measures every entry of docs/stability.md and writes summary.csv (a line for each finding) and a
+// CSV for each figure (panel,series,x,value) into DIR. studies/failures/measure draws and documents them.
 #include "failures.hpp"
 #include "number_text.hpp"
 
@@ -43,8 +43,8 @@ void write(const Figure& figure, const std::filesystem::path& folder) {
   std::ofstream file(path);
   file << "panel,series,x,value\n";
   for (const Row& row : figure.rows) {
-    file << quoted(row.panel) << ',' << quoted(row.series) << ',' << study::number_text(row.x) << ',' << study::number_text(row.value)
-         << '\n';
+    file << quoted(row.panel) << ',' << quoted(row.series) << ',' << study::number_text(row.x) << ','
+         << study::number_text(row.value) << '\n';
   }
   close(file, path);
 }
@@ -58,8 +58,9 @@ void run(const std::filesystem::path& folder) {
     for (Hazard (*const measure)() : entry.hazards) {
       const Hazard hazard = measure();
       for (const Finding& finding : hazard.findings) {
-        summary << entry.name << ',' << quoted(finding.hazard) << ',' << quoted(finding.method) << ',' << quoted(finding.quantity) << ','
-                << study::number_text(finding.breaks) << ',' << study::number_text(finding.stands) << '\n';
+        summary << entry.name << ',' << quoted(finding.hazard) << ',' << quoted(finding.method) << ','
+                << quoted(finding.quantity) << ',' << study::number_text(finding.breaks) << ','
+                << study::number_text(finding.stands) << '\n';
       }
       for (const Figure& figure : hazard.figures) write(figure, folder);
     }

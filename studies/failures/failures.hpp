@@ -23,8 +23,8 @@ struct Figure {
   std::vector<Row> rows;
 };
 
-/// A line of the table at the top of docs/stability.md: the effect of a hazard on a usual method and on ours, the same quantity
-/// measured in the same way.
+/// A line of the table at the top of docs/stability.md: the effect of a hazard on a usual method and on ours, the same
+/// quantity measured in the same way.
 struct Finding {
   std::string hazard;
   std::string method;    ///< the usual one
@@ -92,7 +92,8 @@ Hazard delayed_forces();
 /// Positions in steps of an encoder, and velocities from their differences.
 Hazard encoder_steps();
 
-// Entry "geometry": angles, which a device reports on a circle, and surfaces with an unexpected nearest point or normal.
+// Entry "geometry": angles, which a device reports on a circle, and surfaces with an unexpected nearest point or
+// normal.
 
 /// The device's angle jumps from π to −π.
 Hazard half_a_turn();

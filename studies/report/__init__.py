@@ -3,5 +3,6 @@
 
     PYTHONPATH=studies python3 -m report -o DIR
 
-`scripts/demo` builds the command and calls it. It needs matplotlib. Its numbers come from the command `limitcurve`; it imports nothing compiled.
+`scripts/demo` builds the command and calls it. It needs matplotlib. Its numbers come from the command `limitcurve`; it
+imports nothing compiled.
 """

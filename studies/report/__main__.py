@@ -28,8 +28,14 @@ def write_report(command, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser("report", description="Writes index.html, a page of charts, its figures and their data.")
-    parser.add_argument("-o", "--output", required=True, type=Path, metavar="DIR", help="output folder; created if it does not exist")
+    parser = argparse.ArgumentParser("report",
+                                     description="Writes index.html, a page of charts, its figures and their data.")
+    parser.add_argument("-o",
+                        "--output",
+                        required=True,
+                        type=Path,
+                        metavar="DIR",
+                        help="output folder; created if it does not exist")
     parser.add_argument("--command", default="limitcurve", metavar="FILE", help="the executable to ask (%(default)s)")
     arguments = parser.parse_args()
     try:

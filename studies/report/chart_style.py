@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""How every chart of this project is drawn: one palette, one set of line weights, files that a redraw repeats bit for bit."""
+"""How every chart of this project is drawn: one palette, one set of line weights, files that a redraw repeats bit for
+bit."""
 
 import csv
 import io
@@ -110,7 +111,8 @@ def short(number):
 
 
 class Table(list):
-    """Rows of a CSV as dictionaries, numbers as float, lines that begin with # left out; `groups` keeps the file's order."""
+    """Rows of a CSV as dictionaries, numbers as float, lines that begin with # left out; `groups` keeps the file's
+    order."""
 
     @classmethod
     def read(cls, path):
@@ -145,11 +147,18 @@ def quadrant(axes, title, x_label, y_label):
 
 
 def mark_ratios(axes):
-    """Marks on an axis of κ = k_r/(k_l (m0 a)^2) where the radial projection is exact for the ellipse, and a pad's own ratio (k_r = k_l a^2)."""
-    for ratio, what, side in ((1, "κ = 1: radial is exact\nfor the ellipse", "right"), (2.88, "κ = 2.88:\na pad’s own", "left")):
+    """Marks on an axis of κ = k_r/(k_l (m0 a)^2) where the radial projection is exact for the ellipse, and a pad's own
+    ratio (k_r = k_l a^2)."""
+    for ratio, what, side in ((1, "κ = 1: radial is exact\nfor the ellipse", "right"), (2.88, "κ = 2.88:\na pad’s own",
+                                                                                        "left")):
         axes.axvline(ratio, color=FAINT, linewidth=0.8, dashes=(3, 3), zorder=0)
-        axes.annotate(what, (ratio, 1), (4 if side == "left" else -4, -3), xycoords=("data", "axes fraction"), textcoords="offset points",
-                      color=FAINT, fontsize=7, ha=side, va="top")
+        axes.annotate(what, (ratio, 1), (4 if side == "left" else -4, -3),
+                      xycoords=("data", "axes fraction"),
+                      textcoords="offset points",
+                      color=FAINT,
+                      fontsize=7,
+                      ha=side,
+                      va="top")
 
 
 def legend_below(figure, axes, columns):
@@ -159,14 +168,18 @@ def legend_below(figure, axes, columns):
 def legend_in_sight(figure, axes):
     """Below, from the left edge, and no wider than what a phone shows of a figure before it is scrolled."""
     for columns in range(5, 0, -1):
-        legend = figure.legend(*axes.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0, 0), ncols=columns)
+        legend = figure.legend(*axes.get_legend_handles_labels(),
+                               loc="upper left",
+                               bbox_to_anchor=(0, 0),
+                               ncols=columns)
         if columns == 1 or legend.get_window_extent().width < PHONE * figure.bbox.width:
             return
         legend.remove()
 
 
 def write_whole(path, contents):
-    """The file appears under its name whole or not at all: bytes go to a hidden file beside it, which is then renamed."""
+    """The file appears under its name whole or not at all: bytes go to a hidden file beside it, which is then
+    renamed."""
     path = Path(path).resolve()  # a link stays one
     part = path.with_name(f".limitcurve-{secrets.token_hex(16)}.tmp")
     try:
@@ -189,7 +202,8 @@ def picture(figure, form, metadata, frame):
 
 
 def slim(svg):
-    """The same picture in fewer bytes: hundredths of a point (tenths within a path), short names, one font, one style for markers in a row."""
+    """The same picture in fewer bytes: hundredths of a point (tenths within a path), short names, one font, one style
+    for markers in a row."""
 
     def shorter(match):
         text = match[0]
@@ -197,12 +211,14 @@ def slim(svg):
 
     def font(match):
         slant, weight, size = match.groups()
-        return f"font-size: {size}" + (f"; font-weight: {weight}" if weight else "") + ("; font-style: oblique" if slant else "")
+        return f"font-size: {size}" + (f"; font-weight: {weight}" if weight else "") + ("; font-style: oblique"
+                                                                                        if slant else "")
 
     svg = re.sub(r"<!--.*?-->\s*|<metadata>.*?</metadata>\s*", "", svg, flags=re.S)
     # In tags only: the text of a label stays as it is.
     svg = re.sub(r"<[^>]*>", lambda tag: re.sub(r"scale\([^)]*\)|\d+\.\d{3,}", shorter, tag[0]), svg)
-    svg = re.sub(r"font: (oblique |italic )?(?:(\d+) )?([\d.]+px) 'DejaVu Sans'", font, svg).replace("<svg ", f'<svg font-family="{FONTS}" ', 1)
+    svg = re.sub(r"font: (oblique |italic )?(?:(\d+) )?([\d.]+px) 'DejaVu Sans'", font,
+                 svg).replace("<svg ", f'<svg font-family="{FONTS}" ', 1)
     svg = re.sub(r' transform="rotate\(-?0 [^)]*\)"', "", svg)
     used = dict.fromkeys(re.findall(r'href="#([mp][0-9a-f]{6,})"|url\(#([mp][0-9a-f]{6,})\)', svg))
     for i, name in enumerate(first or second for first, second in used):
@@ -250,7 +266,8 @@ def save(figure, folder, name):
     # It has been laid out: the second picture takes half of the time of the first.
     figure.set_layout_engine("none")
     figure.set_dpi(plt.rcParams["savefig.dpi"])
-    write_whole(folder / f"{name}.png", picture(figure, "png", {"Software": None}, figure.get_tightbbox().padded(MARGIN)))
+    write_whole(folder / f"{name}.png", picture(figure, "png", {"Software": None},
+                                                figure.get_tightbbox().padded(MARGIN)))
     plt.close(figure)
     svg = svg[svg.index("<svg"):]
     svg = re.sub(r'\b(id=")', rf"\g<1>{name}-", svg)

@@ -31,7 +31,11 @@ class CsvFiles:
     def __init__(self, command, folder):
         self.command, self.folder = command, folder
         # Not that of pads worn in, which no fingertip has: its curve crosses the ellipse.
-        self.moment_ratios = {row["law"]: float(row["moment_ratio"]) for row in command.rows("laws") if row["law"] != "uniform-wear"}
+        self.moment_ratios = {
+            row["law"]: float(row["moment_ratio"])
+            for row in command.rows("laws")
+            if row["law"] != "uniform-wear"
+        }
 
     def write(self, name, rows):
         """NAME.csv; all rows have the keys of the first, in that order."""
@@ -68,7 +72,12 @@ def curves(files):
     for (law, moment_ratio), rows in zip(files.moment_ratios.items(), points):
         for c, force, moment, x, y in reversed(numbers(rows, "c", "force", "moment", "x", "y")):
             ratio = force / moment * moment_ratio**2 / c if 0 < c < math.inf else math.nan
-            error.append({"law": law, "angle": math.atan2(y, x), "over_estimate": 1 / math.hypot(x, y) - 1, "cor_ratio": ratio})
+            error.append({
+                "law": law,
+                "angle": math.atan2(y, x),
+                "over_estimate": 1 / math.hypot(x, y) - 1,
+                "cor_ratio": ratio
+            })
     files.write("ellipse_error", error)
     files.gather("validate", [({}, ["validate", "--law", law]) for law in laws])
 
@@ -76,7 +85,11 @@ def curves(files):
 def load_curves(files):
     """p_curves, c_curves: law, radius_law, mu, and `p-curves` or `c-curves`, with a radius that grows
     and one that does not, equal at 1.5 N."""
-    runs = [({"law": "hertz", "radius_law": radius_law, "mu": 0.6}, ["--law", "hertz", "--radius-law", radius_law, "--mu", 0.6])
+    runs = [({
+        "law": "hertz",
+        "radius_law": radius_law,
+        "mu": 0.6
+    }, ["--law", "hertz", "--radius-law", radius_law, "--mu", 0.6])
             for radius_law in (f"constant:a={0.00207 * 1.5**0.259!r}", GROWING)]
     fine = listed([0.05 * i for i in range(61)])
     files.gather("p_curves", [(cells, ["p-curves", "--loads", "0.5,1,1.5,2,2.5", *words]) for cells, words in runs])
@@ -99,16 +112,26 @@ def tables(files):
             table = f"{scratch}/{sizes.index((law, '1e-8'))}.csv"
             looked_up = numbers(files.command.rows("lookup", "--table", table, "--c", places), "force", "moment")
             exact = numbers(files.command.rows("eval", "--law", law, "--c", places), "force", "moment")
-            error += [{"law": law, "tolerance": 1e-8, "spin_fraction": u, "force_error": f - force, "moment_error": m - moment}
-                      for u, (f, m), (force, moment) in zip(spins, looked_up, exact)]
+            error += [{
+                "law": law,
+                "tolerance": 1e-8,
+                "spin_fraction": u,
+                "force_error": f - force,
+                "moment_error": m - moment
+            } for u, (f, m), (force, moment) in zip(spins, looked_up, exact)]
         files.write("table_error", error)
     runs = []
     for row in read(DATA / "materials.csv"):
         for law in ("hertz", "uniform"):
             name = f"table-{row['material']}-{law}.csv"
             radius = float(row["mu_r"]) / (float(row["mu"]) * files.moment_ratios[law])
-            runs.append(({"material": row["material"], "mu": row["mu"], "mu_r": row["mu_r"], "radius": radius, "file": name},
-                         ["table", "--law", law, "--tolerance", "1e-6", "-o", files.folder / name]))
+            runs.append(({
+                "material": row["material"],
+                "mu": row["mu"],
+                "mu_r": row["mu_r"],
+                "radius": radius,
+                "file": name
+            }, ["table", "--law", law, "--tolerance", "1e-6", "-o", files.folder / name]))
     files.gather("materials", runs)
 
 
@@ -127,12 +150,19 @@ def replays(files):
     moment_ratio = files.moment_ratios["hertz"]
     files.write("replay_run", [FINGER])
     law = {name: FINGER[name] for name in ("law", "radius_law", "mu")}
-    exact = numbers(files.command.rows("p-curves", *options(law), "--loads", "0.5,1,1.5,2,3"), "load", "force", "moment")
+    exact = numbers(files.command.rows("p-curves", *options(law), "--loads", "0.5,1,1.5,2,3"), "load", "force",
+                    "moment")
     largest = {load: (0.6 * load, 0.6 * load * 0.006 * moment_ratio) for load, _, _ in exact}
     quarter = [math.pi / 2 * i / 90 for i in range(91)]
-    ellipse = [(load, force * math.sin(t), moment * math.cos(t)) for load, (force, moment) in largest.items() for t in quarter]
-    files.write("replay_limits", [{"boundary": curve, "load": load, "force": force, "moment": moment}
-                                  for curve, points in (("ellipse", ellipse), ("table", exact)) for load, force, moment in points])
+    ellipse = [(load, force * math.sin(t), moment * math.cos(t))
+               for load, (force, moment) in largest.items()
+               for t in quarter]
+    files.write("replay_limits", [{
+        "boundary": curve,
+        "load": load,
+        "force": force,
+        "moment": moment
+    } for curve, points in (("ellipse", ellipse), ("table", exact)) for load, force, moment in points])
 
 
 def steady_twist(files):
@@ -149,9 +179,18 @@ def steady_twist(files):
         trace = Path(scratch) / "trace.csv"
         steps = (i / 1000 for i in range(501))
         trace.write_text("time,x,y,z,twist\n" + "".join(f"{x},{x},0,-0.001,{x}\n" for x in steps), encoding="utf-8")
-        finger = ["--trace", trace, *options({"law": "hertz", "radius_law": "constant:a=1", "mu": 1, "stiffness": 1000, "tolerance": 1e-8})]
-        calls = [["replay", *finger, "--twist-stiffness", ratio * 1000 * m0**2, "--curve", curve, "--projection", projection]
-                 for curve, projection, ratio in kinds]
+        finger = [
+            "--trace", trace, *options({
+                "law": "hertz",
+                "radius_law": "constant:a=1",
+                "mu": 1,
+                "stiffness": 1000,
+                "tolerance": 1e-8
+            })
+        ]
+        calls = [[
+            "replay", *finger, "--twist-stiffness", ratio * 1000 * m0 ** 2, "--curve", curve, "--projection", projection
+        ] for curve, projection, ratio in kinds]
         last = files.command.each(calls, lambda run: list(run)[-1])
     rows = []
     for (curve, projection, ratio), (fx, fy, moment) in zip(kinds, numbers(last, "fx", "fy", "moment")):
@@ -193,15 +232,24 @@ def patches(files):
         for (fx, fy, moment, dx, dy, turn), [power] in zip(measured, powers, strict=True):
             work, spin = fx * dx + fy * dy + moment * turn, m0 * turn
             ellipsoid = math.hypot(dx - turn * centre[1], dy + turn * centre[0], spin)
-            pushes.append({"data": name, "share": abs(spin) / ellipsoid, "exact": work / power, "ellipsoid": work / ellipsoid})
+            pushes.append({
+                "data": name,
+                "share": abs(spin) / ellipsoid,
+                "exact": work / power,
+                "ellipsoid": work / ellipsoid
+            })
         for row in files.command.rows("fit", "friction", "--patch", f"points:{points}", "--data", file):
             del row["note"]  # which has a path: the report is the same wherever the data lie
             fitted.append({"data": name, **row})
     files.write("patch_pushes", pushes)
     files.write("patch_fits", fitted)
-    files.gather("patch_errors", [({"shape": shape, "aspect": aspect}, ["validate", "--patch", f"{patch}={aspect}"])
-                                  for aspect in ("1", "1.25", "1.5", "2", "3", "4", "5")
-                                  for shape, patch in (("hertz ellipse", "ellipse:law=hertz,b=1,a"), ("rectangle", "rectangle:y=1,x"))])
+    files.gather("patch_errors",
+                 [({
+                     "shape": shape,
+                     "aspect": aspect
+                 }, ["validate", "--patch", f"{patch}={aspect}"])
+                  for aspect in ("1", "1.25", "1.5", "2", "3", "4", "5")
+                  for shape, patch in (("hertz ellipse", "ellipse:law=hertz,b=1,a"), ("rectangle", "rectangle:y=1,x"))])
 
 
 def pivot(files):
@@ -210,14 +258,22 @@ def pivot(files):
     block turns before it has left the fingers, over k_r/(k_l (mu_r/mu)^2)."""
     release = ["--release", "from=0.5,to=0.25,over=10", "--damping", 0]
     operator = ["--operator", "target=30deg,speed=0.1,rate=0.1", *HAND, "--duration", 15]
-    files.gather("pivot", [({"case": case, "grip": grip}, ["pivot", "--case", case, "--material", "sandpaper", "--every", 10, *words])
-                           for case in CASES for grip, words in (("release", release), ("operator", operator))])
+    files.gather("pivot", [({
+        "case": case,
+        "grip": grip
+    }, ["pivot", "--case", case, "--material", "sandpaper", "--every", 10, *words])
+                           for case in CASES
+                           for grip, words in (("release", release), ("operator", operator))])
     [sandpaper] = [row for row in read(DATA / "materials.csv") if row["material"] == "sandpaper"]
     radial_best = 1000 * (float(sandpaper["mu_r"]) / float(sandpaper["mu"])) ** 2
     scan = [(case, 10 ** (0.25 * i)) for case in ("coupled", "exact") for i in range(-4, 9)]
     calls = [["pivot", "--case", case, "--twist-stiffness", ratio * radial_best] for case, ratio in scan]
     turned = files.command.each(calls, lambda rows: max(float(row["angle"]) for row in held(rows)))
-    files.write("pivot_stiffness", [{"case": case, "ratio": ratio, "angle": angle} for (case, ratio), angle in zip(scan, turned)])
+    files.write("pivot_stiffness", [{
+        "case": case,
+        "ratio": ratio,
+        "angle": angle
+    } for (case, ratio), angle in zip(scan, turned)])
 
 
 def held(rows):
@@ -236,8 +292,13 @@ def others(files):
     contacts = [{"law": law, "radius_law": GROWING, "mu": 0.6, "load": 2} for law in ("hertz", "uniform")]
     files.gather("translate", [(contact, ["translate", *options(contact)]) for contact in contacts])
     measured = [row for name in ("drag_pypi", "drag") for row in read(DATA / "engines" / f"{name}.csv")]
-    files.write("engine_drag", [{name: row[name] for name in measured[-1]} for row in measured
-                                if row["engine"] in ("mujoco", "bullet", "ode") and row.get("contact", "ball") == "ball"])
+    files.write("engine_drag",
+                [{
+                    name: row[name]
+                    for name in measured[-1]
+                }
+                 for row in measured
+                 if row["engine"] in ("mujoco", "bullet", "ode") and row.get("contact", "ball") == "ball"])
     for name in ("wrench", "step"):
         copy(files, f"work_precision_{name}", f"work_precision/{name}.csv")
 

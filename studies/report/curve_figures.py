@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The report's figures of limit curves, approximations, tables and fits, one function each: takes the CSVs (see csv_files.py
-for their columns), returns a figure."""
+"""The report's figures of limit curves, approximations, tables and fits, one function each: takes the CSVs (see
+csv_files.py for their columns), returns a figure."""
 
 import math
 
@@ -37,20 +37,37 @@ def limit_curves(data):
 def load_curves(data):
     """Paper, Fig. 4: p-curves (load fixed) and c-curves (COR fixed), with a constant and with a growing radius."""
     radius_laws = list(data["p_curves"].groups("radius_law"))
-    figure, panels = plt.subplots(1, len(radius_laws), figsize=(9.6, 4.4), layout="constrained", sharex=True, sharey=True)
-    top_force, top_moment = 1.28 * max(data["p_curves"].column("force")), 1.12 * 1e3 * max(data["p_curves"].column("moment"))
+    figure, panels = plt.subplots(1,
+                                  len(radius_laws),
+                                  figsize=(9.6, 4.4),
+                                  layout="constrained",
+                                  sharex=True,
+                                  sharey=True)
+    top_force, top_moment = 1.28 * max(data["p_curves"].column("force")), 1.12 * 1e3 * max(
+        data["p_curves"].column("moment"))
     for axes, radius_law in zip(panels, radius_laws):
         for load, rows in data["p_curves"].where(radius_law=radius_law).groups("load").items():
             axes.plot(rows.column("force"), rows.column("moment", 1e3), color=BLUE)
-            axes.annotate(f"{load:g} N", (0, max(rows.column("moment", 1e3))), (3, 3), textcoords="offset points", color=BLUE, fontsize=8,
-                          bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6})
+            axes.annotate(f"{load:g} N", (0, max(rows.column("moment", 1e3))), (3, 3),
+                          textcoords="offset points",
+                          color=BLUE,
+                          fontsize=8,
+                          bbox={
+                              "facecolor": "white",
+                              "edgecolor": "none",
+                              "pad": 0.6
+                          })
         for cor, rows in data["c_curves"].where(radius_law=radius_law).groups("c").items():
             force, moment = rows.column("force"), rows.column("moment", 1e3)
             inside = [i for i in range(len(force)) if force[i] <= top_force * 0.85 and moment[i] <= top_moment * 0.94]
             axes.plot(force[:inside[-1] + 1], moment[:inside[-1] + 1], color=ORANGE, linewidth=1.2)
             if 0 < cor < math.inf:
                 end = (force[inside[-1]], moment[inside[-1]])
-                axes.annotate(f"c = {cor * 1e3:g} mm", end, (3, 1), textcoords="offset points", color="#a06a00", fontsize=8)
+                axes.annotate(f"c = {cor * 1e3:g} mm",
+                              end, (3, 1),
+                              textcoords="offset points",
+                              color="#a06a00",
+                              fontsize=8)
         quadrant(axes, title_of_radius_law(radius_law), "friction force  F  [N]", "friction moment  M  [N mm]")
         axes.set(xlim=(0, top_force), ylim=(0, top_moment))
         axes.label_outer()
@@ -105,7 +122,11 @@ def models(data):
     figure, axes = plt.subplots(figsize=(9.6, 0.32 * len(laws) + 1.0), layout="constrained")
     for model, (label, marker, colour) in MODELS.items():
         rows = data["validate"].where(model=model)
-        axes.plot(rows.column("max_error", 100), [laws.index(row["law"]) for row in rows], marker, color=colour, label=label, markersize=6)
+        axes.plot(rows.column("max_error", 100), [laws.index(row["law"]) for row in rows],
+                  marker,
+                  color=colour,
+                  label=label,
+                  markersize=6)
     axes.set(title="Largest error of the capacity in any direction [%]", xscale="log", ylim=(len(laws) - 0.5, -0.5))
     axes.set_yticks(range(len(laws)), laws)
     ticks = (0.2, 0.5, 1, 2, 5, 10, 20, 50)
@@ -125,15 +146,25 @@ def tables(data):
     left.set_xlim(max(tolerances) * 2, min(tolerances) / 2)
     level_one = 32768
     left.axhline(level_one, color=FAINT, linewidth=0.8, dashes=(2, 2))
-    left.annotate("a level-1 cache, 32 KiB", (max(tolerances) * 1.5, level_one), (0, 3), textcoords="offset points", fontsize=8,
+    left.annotate("a level-1 cache, 32 KiB", (max(tolerances) * 1.5, level_one), (0, 3),
+                  textcoords="offset points",
+                  fontsize=8,
                   color=FAINT)
     left.legend(loc="upper left", bbox_to_anchor=(0.0, 0.9), fontsize=7.5, handlelength=2.6, labelspacing=0.25)
     tolerance = min(data["table_error"].column("tolerance"))
     shown = data["table_error"].where(tolerance=tolerance)
     for law, rows in shown.groups("law").items():
         style = law_style(law)
-        right.plot(rows.column("spin_fraction"), rows.column("force_error", 1 / tolerance), linewidth=0.9, label=f"{law}, f", **style)
-        right.plot(rows.column("spin_fraction"), rows.column("moment_error", 1 / tolerance), linewidth=0.9, alpha=0.45, label=f"{law}, m",
+        right.plot(rows.column("spin_fraction"),
+                   rows.column("force_error", 1 / tolerance),
+                   linewidth=0.9,
+                   label=f"{law}, f",
+                   **style)
+        right.plot(rows.column("spin_fraction"),
+                   rows.column("moment_error", 1 / tolerance),
+                   linewidth=0.9,
+                   alpha=0.45,
+                   label=f"{law}, m",
                    color=style["color"])
     right.axhspan(-1, 1, color=GRID, alpha=0.5, zorder=0, linewidth=0)
     right.set(title=f"Error of a table of {short(tolerance)}, in tolerances", xlim=(0, 1), ylim=(-1.45, 1.45),
@@ -150,19 +181,32 @@ def fits(data):
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1), layout="constrained")
     samples, curve = data["fit_residuals"], data["curves"].where(law="hertz")
     mu, mu_r, gamma = (data["fits"].where(data="slips", parameter=name)[0]["value"] for name in ("mu", "mu_r", "gamma"))
-    left.plot([row["force"] / row["load"] for row in samples], [1e3 * row["moment"] / row["load"] ** (1 + gamma) for row in samples], ".", color=FAINT,
-              markersize=2.5, alpha=0.6, label="a slip, scaled to 1 N")
+    left.plot([row["force"] / row["load"] for row in samples],
+              [1e3 * row["moment"] / row["load"] ** (1 + gamma) for row in samples],
+              ".",
+              color=FAINT,
+              markersize=2.5,
+              alpha=0.6,
+              label="a slip, scaled to 1 N")
     left.plot(curve.column("x", mu), curve.column("y", 1e3 * mu_r), color=BLUE, label="fitted limit curve")
-    quadrant(left, "Slips and the limit curve fitted to them", "force at 1 N:  $F/P$  [N]", f"moment at 1 N:  $M/P^{{{1 + gamma:.3f}}}$  [N mm]")
+    quadrant(left, "Slips and the limit curve fitted to them", "force at 1 N:  $F/P$  [N]",
+             f"moment at 1 N:  $M/P^{{{1 + gamma:.3f}}}$  [N mm]")
     left.set(xlim=(0, 1.2 * mu), ylim=(0, 1.25e3 * mu_r))
     left.legend(loc="lower left", markerscale=3, handlelength=2)
 
     near = [row for row in samples if abs(row["residual"]) <= RESIDUALS_SHOWN]
     right.axhspan(-1.96, 1.96, color=GRID, alpha=0.5, zorder=0, linewidth=0)
     right.axhline(0, color=FAINT, linewidth=0.8)
-    right.plot([row["load"] for row in near], [row["residual"] for row in near], ".", color=BLUE, markersize=3, alpha=0.5)
-    right.set(title=f"Residuals in standard deviations ({len(samples) - len(near)} of {len(samples)} beyond ±{RESIDUALS_SHOWN})",
-              xlabel="load  [N]", ylim=(-RESIDUALS_SHOWN, RESIDUALS_SHOWN))
+    right.plot([row["load"] for row in near], [row["residual"] for row in near],
+               ".",
+               color=BLUE,
+               markersize=3,
+               alpha=0.5)
+    right.set(
+        title=
+        f"Residuals in standard deviations ({len(samples) - len(near)} of {len(samples)} beyond ±{RESIDUALS_SHOWN})",
+        xlabel="load  [N]",
+        ylim=(-RESIDUALS_SHOWN, RESIDUALS_SHOWN))
     return figure
 
 
@@ -187,17 +231,27 @@ def engines(data):
     ends = (min(row["c"] for row in exact if row["c"] > 0), max(row["c"] for row in exact if math.isfinite(row["c"])))
     for (engine, model), rows in drag.groups("engine", "model").items():
         marker, colour, filled = ENGINE_STYLES[f"{engine} {model}"]
-        style = {"color": colour, "marker": marker, "markersize": 5.5, "markerfacecolor": colour if filled else "none", "clip_on": False}
+        style = {
+            "color": colour,
+            "marker": marker,
+            "markersize": 5.5,
+            "markerfacecolor": colour if filled else "none",
+            "clip_on": False
+        }
         name = {"mujoco": "MuJoCo", "ode": "ODE", "bullet": "Bullet"}[engine]
         label = f"{name} {rows[0]['version'].removeprefix('PyBullet ')}, {model}"
         left.plot(rows.column("force"), rows.column("moment"), linestyle="", label=label, zorder=4, **style)
         between = [row for row in rows if ends[0] <= row["c"] <= ends[1]]
-        right.plot([row["c"] for row in between],
-                   [math.hypot(row["force"] - row["exact_force"], row["moment"] - row["exact_moment"]) for row in between], linewidth=0.9, **style)
+        right.plot(
+            [row["c"] for row in between],
+            [math.hypot(row["force"] - row["exact_force"], row["moment"] - row["exact_moment"]) for row in between],
+            linewidth=0.9,
+            **style)
     quadrant(left, "Wrenches measured by dragging a finger", "force  $F/(\\mu P)$", "moment  $M/(m_0\\mu P a)$")
     left.set(xlim=(0, 1.08), ylim=(0, 1.08))
     left.set_aspect("equal", adjustable="box")
-    quadrant(right, "Error at the same centre of rotation", "centre of rotation  $c/a$", "distance from the exact wrench, limits = 1")
+    quadrant(right, "Error at the same centre of rotation", "centre of rotation  $c/a$",
+             "distance from the exact wrench, limits = 1")
     right.set(xscale="log", xlim=(0.9 * ends[0], 1.1 * ends[1]), ylim=(0, 1.1))
     right.set_xticks([0.1, 0.3, 1, 3], ["0.1", "0.3", "1", "3"])
     right.minorticks_off()

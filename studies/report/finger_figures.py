@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The report's figures of the god-object: on traces and at a steady twist. One function each: takes the CSVs (see csv_files.py for their columns), returns a figure."""
+"""The report's figures of the god-object: on traces and at a steady twist. One function each: takes the CSVs (see
+csv_files.py for their columns), returns a figure."""
 
 import math
 
@@ -15,8 +16,12 @@ def god_object(data):
     traces = list(data["replay"].groups("trace"))
     boundaries = list(data["replay"].groups("boundary"))
     run = data["replay_run"][0]
-    figure, panels = plt.subplots(len(boundaries), len(traces), figsize=(9.6, 3.1 * len(boundaries)), layout="constrained",
-                                  sharex=True, sharey=True)
+    figure, panels = plt.subplots(len(boundaries),
+                                  len(traces),
+                                  figsize=(9.6, 3.1 * len(boundaries)),
+                                  layout="constrained",
+                                  sharex=True,
+                                  sharey=True)
     for across, trace in enumerate(traces):
         for down, boundary in enumerate(boundaries):
             axes = panels[down][across]
@@ -48,8 +53,10 @@ def draw_steps(axes, rows, run):
             path = rows[max(begin - 1, 0):i]
             slips_here = rows[begin]["state"] == "slip"
             axes.plot([1e3 * math.hypot(row["fx"], row["fy"]) / run["stiffness"] for row in path],
-                      [abs(row["moment"]) / run["twist_stiffness"] for row in path], color=BLUE if slips_here else FAINT,
-                      linewidth=1.8 if slips_here else 1.1, solid_capstyle="round")
+                      [abs(row["moment"]) / run["twist_stiffness"] for row in path],
+                      color=BLUE if slips_here else FAINT,
+                      linewidth=1.8 if slips_here else 1.1,
+                      solid_capstyle="round")
             begin = i
 
 
@@ -68,7 +75,9 @@ def felt(data):
                 for begin, end in slips(rows):
                     for axes in column:
                         axes.axvspan(begin, end, color=BLUE, alpha=0.07, linewidth=0)
-            column[1].plot(times, [math.hypot(row["fx"], row["fy"]) for row in rows], label=TITLES.get(boundary, boundary), **look)
+            column[1].plot(times, [math.hypot(row["fx"], row["fy"]) for row in rows],
+                           label=TITLES.get(boundary, boundary),
+                           **look)
             column[2].plot(times, [1e3 * abs(row["moment"]) for row in rows], **look)
         column[0].set_title(TRACE_TITLES.get(trace, trace))
         column[2].set_xlabel("time  [s]")
@@ -105,13 +114,17 @@ TWIST_LOOKS = {
 
 
 def steady_twist(data):
-    """Driven long at a constant twist: the error of the wrench over the stiffness ratio, and where it settles on the curve."""
+    """Driven long at a constant twist: the error of the wrench over the stiffness ratio, and where it settles on the
+    curve."""
     rows = data["steady_twist"]
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.3), layout="constrained", width_ratios=(1.18, 1))
     for key, part in rows.groups("boundary", "projection").items():
         label, look = TWIST_LOOKS[key]
         left.plot(part.column("stiffness_ratio"), part.column("error", 100), label=label, **look)
-    left.set(title=f"Error of the steady wrench [%], {rows[0]['law']}, c = {rows[0]['cor']:g} a", xscale="log", xlabel="stiffness ratio  κ = $k_r/(k_l m_0^2 a^2)$", ylim=(-3, None))
+    left.set(title=f"Error of the steady wrench [%], {rows[0]['law']}, c = {rows[0]['cor']:g} a",
+             xscale="log",
+             xlabel="stiffness ratio  κ = $k_r/(k_l m_0^2 a^2)$",
+             ylim=(-3, None))
     left.set_xlim(min(rows.column("stiffness_ratio")), max(rows.column("stiffness_ratio")))
     ratios = (0.1, 0.2, 0.5, 1, 2, 5, 10)
     left.set_xticks(ratios, [f"{ratio:g}" for ratio in ratios])

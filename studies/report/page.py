@@ -9,7 +9,8 @@ from .chart_style import Table, save, write_whole
 
 
 class Data:
-    """The CSV files of a folder as tables, each read when it is asked for; `used` has the names since it was cleared."""
+    """The CSV files of a folder as tables, each read when it is asked for; `used` has the names since it was
+    cleared."""
 
     def __init__(self, folder):
         self.folder, self.tables, self.used = folder, {}, {}
@@ -30,7 +31,9 @@ def picture(data, draw, name):
 
 def links(name, tables):
     """What a figure is drawn from, and its files."""
-    return '<p class="files">' + ", ".join(f'<a href="{file}">{file}</a>' for file in (*(f"{table}.csv" for table in tables), f"{name}.svg", f"{name}.png")) + "</p>"
+    return '<p class="files">' + ", ".join(f'<a href="{file}">{file}</a>'
+                                           for file in (*(f"{table}.csv"
+                                                          for table in tables), f"{name}.svg", f"{name}.png")) + "</p>"
 
 
 def anchor(title):
@@ -38,8 +41,8 @@ def anchor(title):
 
 
 def write(data, numbers, sections, pictures):
-    """Writes index.html. `numbers` is (value, text); `sections` is (title, [(figure, caption, what to use)], HTML folded after them); `pictures` has what
-    `picture` returned of each figure."""
+    """Writes index.html. `numbers` is (value, text); `sections` is (title, [(figure, caption, what to use)], HTML
+    folded after them); `pictures` has what `picture` returned of each figure."""
     head = "".join(f"<li><b>{html.escape(value)}</b>{html.escape(text)}</li>" for value, text in numbers)
     contents = "".join(f'<li><a href="#{anchor(title)}">{title}</a></li>' for title, _, _ in sections)
     parts = []
@@ -52,10 +55,13 @@ def write(data, numbers, sections, pictures):
             parts.append(f'<figure id="{name}"><div class="still">{picture}</div><figcaption>{caption}'
                          f'<p class="use"><b>So:</b> {use}</p>{links(name, tables)}</figcaption></figure>')
         if after:
-            parts.append(f'<details><summary>The numbers</summary><div class="wide" role="region" aria-label="{plain}: table" tabindex="0">{after}</div></details>')
+            parts.append(
+                f'<details><summary>The numbers</summary><div class="wide" role="region" aria-label="{plain}: table" tabindex="0">{after}</div></details>'
+            )
         parts.append("</section>")
     style = Path(__file__).with_name("page.css").read_text(encoding="utf-8")
-    write_whole(data.folder / "index.html", f"""<!doctype html>
+    write_whole(
+        data.folder / "index.html", f"""<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">

@@ -10,24 +10,38 @@ MODELS = {"exact": ("points, exactly", BLUE, ""), "ellipsoid": ("ellipsoid", ORA
 
 
 def patches(data):
-    """Friction that measured pushes show by the exact limit surface and by the ellipsoid; and how wrong round models are."""
+    """Friction that measured pushes show by the exact limit surface and by the ellipsoid; and how wrong round models
+    are."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1), layout="constrained")
     for name, (label, marker) in SETS.items():
         pushes = data["patch_pushes"].where(data=name)
         fits = {row["parameter"]: row["value"] for row in data["patch_fits"].where(data=name)}
         for model, (words, colour, suffix) in MODELS.items():
             # Of both models over the friction that the exact one shows.
-            left.plot(pushes.column("share"), [row[model] / fits["mu"] for row in pushes], marker, color=colour, markersize=3.5, alpha=0.6,
+            left.plot(pushes.column("share"), [row[model] / fits["mu"] for row in pushes],
+                      marker,
+                      color=colour,
+                      markersize=3.5,
+                      alpha=0.6,
                       label=f"{words}, {label}")
             mean, drift = fits[f"mu{suffix}"], fits[f"drift{suffix}"]
             middle = sum(pushes.column("share")) / len(pushes)
-            left.plot((0, 1), [mean / fits["mu"] * (1 + drift * (share - middle)) for share in (0, 1)], color=colour, linewidth=1,
+            left.plot((0, 1), [mean / fits["mu"] * (1 + drift * (share - middle)) for share in (0, 1)],
+                      color=colour,
+                      linewidth=1,
                       linestyle="-" if marker == "o" else "--")
-    left.set(title="Friction of a plate on three points, over its mean", xlabel="share of rotation in the motion", xlim=(0, 1), ylim=(0.5, 1.25))
+    left.set(title="Friction of a plate on three points, over its mean",
+             xlabel="share of rotation in the motion",
+             xlim=(0, 1),
+             ylim=(0.5, 1.25))
     left.legend(loc="lower left", fontsize=8)
 
-    styles = {("disc", "rectangle"): (GREEN, "-"), ("disc", "hertz ellipse"): (GREEN, "--"), ("ellipsoid", "rectangle"): (ORANGE, "-"),
-              ("ellipsoid", "hertz ellipse"): (ORANGE, "--")}
+    styles = {
+        ("disc", "rectangle"): (GREEN, "-"),
+        ("disc", "hertz ellipse"): (GREEN, "--"),
+        ("ellipsoid", "rectangle"): (ORANGE, "-"),
+        ("ellipsoid", "hertz ellipse"): (ORANGE, "--")
+    }
     for (model, shape), (colour, line) in styles.items():
         rows = [row for row in data["patch_errors"].where(shape=shape) if row["model"].split(":")[0] == model]
         right.plot([row["aspect"] for row in rows], [100 * row["max_error"] for row in rows], line, color=colour,

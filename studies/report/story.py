@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The report's story: its figures, what to see in each, what to do about it, and tables. It only draws; every number comes from the CSV files."""
+"""The report's story: its figures, what to see in each, what to do about it, and tables. It only draws; every number
+comes from the CSV files."""
 
 import html
 
@@ -37,21 +38,25 @@ def numbers_to_remember(data):
     worst, best = (pick(ellipses, key=lambda row: row["max_over_estimate"]) for pick in (max, min))
     largest, least = percent(worst["max_over_estimate"], 1), percent(best["max_over_estimate"], 1)
     twist = data["steady_twist"]
-    radial, closest = (max(twist.where(boundary="table", projection=name).column("error")) for name in ("radial", "closest-point"))
+    radial, closest = (max(twist.where(boundary="table", projection=name).column("error"))
+                       for name in ("radial", "closest-point"))
     ratios = twist.column("stiffness_ratio")
     table = data["tables"].where(law="hertz", tolerance=1e-8)[0]
     error = table["checked_error"]
     look_up = data["work_precision_wrench"].where(law="hertz", family="table", parameter=1e-8)[0]["mean_ns"]
     step = data["work_precision_step"].where(boundary="table 1e-8", projection="closest-point")[0]["many_warm_ns"]
     return [
-        (largest, f"The usual ellipse overestimates friction by up to {largest} ({worst['law']}; {best['law']}: {least}), and misplaces "
-                  f"the centre of rotation by up to {percent(worst_cor_error(data), 0)}."),
-        (percent(radial, 0), f"If a finger slides straight on and turns, v/ω = a, the radial projection misses the friction by up to "
-                             f"{percent(radial, 0)} of its limits (stiffness ratios κ from {min(ratios):.2g} to {max(ratios):.2g}); the "
-                             f"closest point misses it by {closest:.0e}."),
-        (f"{look_up:.0f} ns", f"A look-up takes {look_up:.0f} ns in a table of {table['bytes']:.0f} bytes with an error of at most "
-                              f"{short(float(f'{error:.1e}'))}; a finger step on it takes {step:.0f} ns. A finer table costs almost "
-                              "no extra time."),
+        (largest,
+         f"The usual ellipse overestimates friction by up to {largest} ({worst['law']}; {best['law']}: {least}), and misplaces "
+         f"the centre of rotation by up to {percent(worst_cor_error(data), 0)}."),
+        (percent(radial, 0),
+         f"If a finger slides straight on and turns, v/ω = a, the radial projection misses the friction by up to "
+         f"{percent(radial, 0)} of its limits (stiffness ratios κ from {min(ratios):.2g} to {max(ratios):.2g}); the "
+         f"closest point misses it by {closest:.0e}."),
+        (f"{look_up:.0f} ns",
+         f"A look-up takes {look_up:.0f} ns in a table of {table['bytes']:.0f} bytes with an error of at most "
+         f"{short(float(f'{error:.1e}'))}; a finger step on it takes {step:.0f} ns. A finer table costs almost "
+         "no extra time."),
     ]
 
 
@@ -65,12 +70,14 @@ def worst_cor_error(data):
 
 
 def facts_table(columns, rows):
-    """An HTML table; columns of numbers (that begin with a digit in every row) stand to the right, of words to the left."""
+    """An HTML table; columns of numbers (that begin with a digit in every row) stand to the right, of words to the
+    left."""
     numeric = [all(cell[:1].isdigit() for cell in column) for column in zip(*rows)]
 
     def line(tag, cells):
         marked = zip(numeric, cells)
-        return "<tr>" + "".join(f"<{tag}{' class=number' if number else ''}>{cell}</{tag}>" for number, cell in marked) + "</tr>"
+        return "<tr>" +"".join(f"<{tag}{' class=number' if number else ''}>{cell}</{tag}>"
+                               for number, cell in marked) + "</tr>"
 
     head, body = line("th", columns), "".join(line("td", row) for row in rows)
     return f'<table><thead>{head}</thead><tbody>{body}</tbody></table>'
@@ -83,7 +90,8 @@ def materials_table(data):
     return facts_table(
         ("material", "μ", "μ<sub>r</sub> [mm]", "law", "radius a [mm]", "checked error", "nodes", "bytes", "file"),
         [(row["material"], f"{row['mu']:g}", f"{1e3 * row['mu_r']:g}", row["law"], f"{1e3 * row['radius']:.2f}",
-          f"{row['checked_error']:.1e}", f"{row['nodes']:.0f}", f"{row['bytes']:.0f}", link(row["file"])) for row in data["materials"]])
+          f"{row['checked_error']:.1e}", f"{row['nodes']:.0f}", f"{row['bytes']:.0f}", link(row["file"]))
+         for row in data["materials"]])
 
 
 def laws_table(data):
@@ -91,8 +99,10 @@ def laws_table(data):
     for law in data["laws"]:
         ellipse = data["validate"].where(law=law["law"], model="ellipse")[0]
         ratios = cor_ratios(data["ellipse_error"].where(law=law["law"]))
-        rows.append((law["law"], f"{law['moment_ratio']:.4g}", percent(ellipse["max_over_estimate"]), f"{min(ratios):.2f} … {max(ratios):.2f}"))
-    return facts_table(("law", "moment ratio m<sub>0</sub>", "ellipse overestimates by", "centre of rotation, ellipse / true"), rows)
+        rows.append((law["law"], f"{law['moment_ratio']:.4g}", percent(ellipse["max_over_estimate"]),
+                     f"{min(ratios):.2f} … {max(ratios):.2f}"))
+    return facts_table(
+        ("law", "moment ratio m<sub>0</sub>", "ellipse overestimates by", "centre of rotation, ellipse / true"), rows)
 
 
 def unit_of(row):
@@ -102,8 +112,10 @@ def unit_of(row):
 
 def engines_table(data):
     first = data["translate"][0]
-    rows = [(html.escape(row["engine"]), html.escape(row["parameter"]), f"{row['value']:.6g}" if isinstance(row["value"], float) else row["value"], unit_of(row),
-             html.escape(row["model"]), percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
+    rows = [(html.escape(row["engine"]), html.escape(row["parameter"]),
+             f"{row['value']:.6g}" if isinstance(row["value"], float) else row["value"], unit_of(row),
+             html.escape(row["model"]), percent(row["max_error"], 1))
+            for row in data["translate"].where(law=first["law"])]
     return facts_table(("engine", "parameter", "value", "unit", "limit curve", "remaining error"), rows)
 
 
@@ -128,78 +140,89 @@ def sections(data):
     engine = data["translate"][0]
     tolerance, places = data["table_error"][0]["tolerance"], len(data["table_error"].where(law="hertz"))
     finest, largest = min(data["tables"].column("tolerance")), max(data["tables"].column("bytes"))
-    drifts = [" and ".join(f"{row['value']:.2f} ± {row['std_error']:.2f}" for row in data["patch_fits"].where(parameter=name))
-              for name in ("drift", "drift_ellipsoid")]
-    square, long = ([row for row in data["patch_errors"].where(shape="rectangle", aspect=aspect) if row["model"].startswith("disc:")][0]
-                    for aspect in (1, 5))
+    drifts = [
+        " and ".join(f"{row['value']:.2f} ± {row['std_error']:.2f}"
+                     for row in data["patch_fits"].where(parameter=name))
+        for name in ("drift", "drift_ellipsoid")
+    ]
+    square, long = ([
+        row for row in data["patch_errors"].where(shape="rectangle", aspect=aspect) if row["model"].startswith("disc:")
+    ][0] for aspect in (1, 5))
     return [
         pictures.section(),
         ("One curve for each pressure law", [
-            ("limit_curves", """The paper’s Fig. 3 for the pressure laws of this library. A pressure law describes how the load spreads over
+            ("limit_curves",
+             """The paper’s Fig. 3 for the pressure laws of this library. A pressure law describes how the load spreads over
 the contact. Scaled to its own limits, every law’s curve lies <em>inside</em> the dashed ellipse. The shapes are much alike; the
-largest moments differ widely.""",
-             "If you do not know the law, use hertz with your measured friction moment."),
+largest moments differ widely.""", "If you do not know the law, use hertz with your measured friction moment."),
         ], laws_table(data)),
         ("Loads and centres of rotation", [
-            ("load_curves", """The two families of the paper’s Fig. 4. A p-curve (blue) is the limit curve at one load. A c-curve (orange)
+            ("load_curves",
+             """The two families of the paper’s Fig. 4. A p-curve (blue) is the limit curve at one load. A c-curve (orange)
 shows force and moment about one centre of rotation as the load grows. It is straight only if the contact radius is constant.""",
              "Give the finger its a(P); do not just scale one curve."),
         ], ""),
         ("How wrong the ellipse is", [
-            ("ellipse_error", f"""Left: the ellipse overestimates friction by {percent(over[0], 1)} to {percent(over[-1], 1)} (worst: {worst}).
+            ("ellipse_error",
+             f"""Left: the ellipse overestimates friction by {percent(over[0], 1)} to {percent(over[-1], 1)} (worst: {worst}).
 Right: it puts the centre of rotation at {min(ratios):.2f} to {max(ratios):.2f} times its true distance.""",
              "Use an ellipse for rough forces, not to predict motion after slip."),
-            ("models", f"""Each dot is a model’s largest error, as a fraction of the true friction. The ellipse through the limits is off
+            ("models",
+             f"""Each dot is a model’s largest error, as a fraction of the true friction. The ellipse through the limits is off
 by {percent(over[0], 1)} to {percent(over[-1], 1)}. A box, which limits force and moment separately, overestimates by up to
-{percent(max(boxes), 0)}.""",
-             "Use a table: you choose the error."),
+{percent(max(boxes), 0)}.""", "Use a table: you choose the error."),
         ], ""),
         ("Look-up tables", [
-            ("tables", f"""Left: down to a tolerance of {short(finest)}, no table exceeds {largest:.0f} bytes. Right: the error of a
+            ("tables",
+             f"""Left: down to a tolerance of {short(finest)}, no table exceeds {largest:.0f} bytes. Right: the error of a
 {short(tolerance)} table at {places} slips. It stays within the tolerance (grey).""",
              "Use a tolerance of 1e-8 and forget about the curve."),
         ], "<p>Tables for the materials of the paper’s Table 1. The radius is inferred from the measured ratio "
-           "μ<sub>r</sub>/μ and the law, and is larger than a fingertip’s. If you have measured μ<sub>r</sub>, use it "
-           "directly.</p>" + materials_table(data)),
+         "μ<sub>r</sub>/μ and the law, and is larger than a fingertip’s. If you have measured μ<sub>r</sub>, use it "
+         "directly.</p>" + materials_table(data)),
         ("A god-object that obeys the curve", [
-            ("god_object", """The god-object (proxy) is where the finger would be if it could not enter the surface. Springs pull it
+            ("god_object",
+             """The god-object (proxy) is where the finger would be if it could not enter the surface. Springs pull it
 towards its goal: r is their stretch, ρ their twist. Three scripted motions in the planes of the paper’s Figs. 5 and 9, with the
 limit curves of several loads. A pure drag stays on the r axis, a pure twist on the ρ axis. In the third motion the finger slides
-and turns while the load changes.""",
-             "Compare models on combined motions. Only there do they differ."),
-            ("felt", f"""What the user feels. Shaded: the finger slips, according to the exact curve (law {html.escape(run['law'])},
+and turns while the load changes.""", "Compare models on combined motions. Only there do they differ."),
+            ("felt",
+             f"""What the user feels. Shaded: the finger slips, according to the exact curve (law {html.escape(run['law'])},
 μ = {run['mu']:g}, k<sub>l</sub> = {run['stiffness']:g} N/m, k<sub>r</sub> = {run['twist_stiffness']:g} N m/rad).""",
              "Use a table and the closest point where a finger slides and turns at once."),
         ], ""),
         ("The projection matters more than the curve", [
-            ("steady_twist", f"""A finger slides straight on and turns, v/ω = c = {twist['cor']:g} a. Errors are fractions of the limits. With the closest
+            ("steady_twist",
+             f"""A finger slides straight on and turns, v/ω = c = {twist['cor']:g} a. Errors are fractions of the limits. With the closest
 point the wrench settles at that of eq. (17), at every stiffness; on the ellipse only the ellipse’s own error remains. With the
 radial projection the ratio of the springs decides, whatever the curve. About a centre that stays the force lags: keep k<sub>l</sub> ≫ μP/c.""",
              "Use the radial projection only if k<sub>r</sub> is near k<sub>l</sub>(μ<sub>r</sub>/μ)²."),
         ], ""),
         experiment_figures.section(data),
         ("From measurements to parameters", [
-            ("fits", """Left: slips from a synthetic sensor log with gross outliers, and the limit curve fitted with a robust loss. Right: the residuals. If the model is right, 95 % of them lie in the
-grey band.""",
-             "Add <code>--loss cauchy</code> if some rows may not be slips."),
+            ("fits",
+             """Left: slips from a synthetic sensor log with gross outliers, and the limit curve fitted with a robust loss. Right: the residuals. If the model is right, 95 % of them lie in the
+grey band.""", "Add <code>--loss cauchy</code> if some rows may not be slips."),
         ], fits_table(data)),
         ("Contacts that are not round", [
-            ("patches", f"""Left: published pushes of a plate on three known points over hardboard and plywood. Measured power divided by a
+            ("patches",
+             f"""Left: published pushes of a plate on three known points over hardboard and plywood. Measured power divided by a
 model’s power is the friction coefficient; for a correct model it does not depend on the share of rotation. It drifts by {drifts[0]}
 for three points (blue) and {drifts[1]} for the usual ellipsoid (orange). Nothing is fitted. Right: the best disc is off by
 {percent(square['max_error'], 1)} for a square and {percent(long['max_error'], 0)} for a 5 : 1 rectangle.""",
              "Use the patch itself, or ask <code>limitcurve choose --patch</code>."),
         ], ""),
         ("Speed against accuracy", [
-            ("work_precision", """Each dot is one way to compute a friction wrench, on one machine. Errors are in units of μP and μPa, like a
+            ("work_precision",
+             """Each dot is one way to compute a friction wrench, on one machine. Errors are in units of μP and μPa, like a
 table’s tolerance, not fractions of the limits.""",
              "Use a 1e-8 table in a loop, <code>evaluate</code> as a reference."),
         ], ""),
         ("The same finger in a physics engine", [
-            ("engines", """We dragged a finger in the engines themselves. MuJoCo’s elliptic cone is the ellipse; its default pyramid is the
+            ("engines",
+             """We dragged a finger in the engines themselves. MuJoCo’s elliptic cone is the ellipse; its default pyramid is the
 diamond. ODE and Bullet limit force and moment separately, so nearly all their wrenches lie in the box’s corner. Pure force and pure
-moment are right (in the pyramid, for slips of at least 30 mm/s).""",
-             "Use MuJoCo’s elliptic cone if you can."),
+moment are right (in the pyramid, for slips of at least 30 mm/s).""", "Use MuJoCo’s elliptic cone if you can."),
         ],
          f"<p>Coefficients for a finger with {html.escape(engine['law'])} pressure, a(P) by {html.escape(engine['radius_law'])}, "
          f"μ = {engine['mu']:g}, at {engine['load']:g} N. <code>limitcurve translate</code> has formulas, and rules for two "

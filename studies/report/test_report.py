@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The report, from the source tree and the executable alone: its data, its page without the figures, which scripts/demo draws, and what ends it early.
-The whole page is tested in a browser, by tests/site/test_report.py.
+"""The report, from the source tree and the executable alone: its data, its page without the figures, which scripts/demo
+draws, and what ends it early. The whole page is tested in a browser, by tests/site/test_report.py.
 
     LIMITCURVE=EXECUTABLE LIMITCURVE_DATA=data PYTHONPATH=tests/cli python3 -B studies/report/test_report.py"""
 
@@ -17,11 +17,19 @@ PYTHON = "/usr/bin/python3"  # Debian's own: another that is first on the PATH m
 
 
 def call(folder, *flags, command=EXECUTABLE):
-    return {"args": [PYTHON, "-B", *flags, "-m", "report", "--command", command, "-o", folder], "text": True, "stdout": subprocess.PIPE,
-            "stderr": subprocess.PIPE, "env": {**os.environ, "PYTHONPATH": str(DATA.parent / "studies")}}
+    return {
+        "args": [PYTHON, "-B", *flags, "-m", "report", "--command", command, "-o", folder],
+        "text": True,
+        "stdout": subprocess.PIPE,
+        "stderr": subprocess.PIPE,
+        "env": {
+            **os.environ, "PYTHONPATH": str(DATA.parent / "studies")
+        }
+    }
 
 
-@unittest.skipIf(subprocess.run([PYTHON, "-c", "import matplotlib"], capture_output=True, check=False).returncode, "no matplotlib")
+@unittest.skipIf(
+    subprocess.run([PYTHON, "-c", "import matplotlib"], capture_output=True, check=False).returncode, "no matplotlib")
 class Report(CommandLineTest):
     def read(self, name):
         with open(self.directory / f"{name}.csv", newline="", encoding="utf-8") as file:
@@ -34,7 +42,8 @@ class Report(CommandLineTest):
         done = subprocess.run(**whole, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("index.html", done.stdout)
-        self.assertEqual({entry.suffix for entry in self.directory.iterdir()}, {".csv", ".html"})  # nothing hidden is left
+        self.assertEqual({entry.suffix
+                          for entry in self.directory.iterdir()}, {".csv", ".html"})  # nothing hidden is left
         self.check_data()
         page = (self.directory / "index.html").read_text(encoding="utf-8")
         self.assertIn("</html>", page)
@@ -57,7 +66,8 @@ class Report(CommandLineTest):
         for row in self.read("tables"):
             self.assertLessEqual(float(row["checked_error"]), float(row["tolerance"]))
         for row in self.read("table_error"):
-            self.assertLessEqual(max(abs(float(row["force_error"])), abs(float(row["moment_error"]))), float(row["tolerance"]))
+            self.assertLessEqual(max(abs(float(row["force_error"])), abs(float(row["moment_error"]))),
+                                 float(row["tolerance"]))
         for row in self.read("steady_twist"):
             if (row["boundary"], row["projection"]) == ("table", "closest-point"):
                 self.assertLess(float(row["error"]), 1e-7)
@@ -81,7 +91,9 @@ class Report(CommandLineTest):
         self.assertEqual([path.name for path in out.iterdir()], ["laws.csv"])
         self.assert_ends(["cannot run '/no-such-command'", "No such file"], out, command="/no-such-command")
         self.assert_ends(["false laws", "exit status 1"], out, command="/bin/false")
-        self.assertEqual(subprocess.run([PYTHON, "-B", "-m", "report"], capture_output=True, env=call(out)["env"], check=False).returncode, 2)
+        self.assertEqual(
+            subprocess.run([PYTHON, "-B", "-m", "report"], capture_output=True, env=call(out)["env"],
+                           check=False).returncode, 2)
 
     def test_librsvg_draws_the_figures_of_the_pages(self):
         # It sets the parts of a text on top of each other: a formula is a path.

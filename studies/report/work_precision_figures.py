@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The work-precision charts: error of every way to a friction wrench against what it costs, from data/work_precision/."""
+"""The work-precision charts: error of every way to a friction wrench against what it costs, from
+data/work_precision/."""
 
 import math
 
@@ -8,8 +9,8 @@ from .chart_style import BLUE, FAINT, GREEN, GRID, INK, PURPLE, VERMILION
 
 # Errors below the rounding of a double are drawn there.
 ROUNDING = 1e-16
-# Family: colour, marker, dashes, and whether its dots are named by their parameter alone (the legend then tells the family). What is not
-# ours has one colour; marker and dashes tell it apart.
+# Family: colour, marker, dashes, and whether its dots are named by their parameter alone (the legend then tells the
+# family). What is not ours has one colour; marker and dashes tell it apart.
 FAMILIES = {
     "box": (INK, "s", "-", False),
     "diamond": (INK, "D", "-", False),
@@ -90,7 +91,8 @@ def steps(front, right):
 def error_axis(axes, left):
     """Errors fall to the right; what is not above the rounding of a double stands on its line."""
     axes.set(xscale="log", yscale="log", xlim=(left, ROUNDING / 4))
-    axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)], [*(f"$10^{{-{k}}}$" if k else "1" for k in range(0, 16, 2)), "below\n$10^{-16}$"])
+    axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)],
+                    [*(f"$10^{{-{k}}}$" if k else "1" for k in range(0, 16, 2)), "below\n$10^{-16}$"])
     axes.axvspan(2 * ROUNDING, ROUNDING / 4, color=GRID, linewidth=0, zorder=-1)
     axes.minorticks_off()
     axes.set_xlabel(ERROR, fontsize=8)
@@ -116,8 +118,9 @@ class Labels:
         points = [self.axes.transData.transform(point) for point in zip(xs, ys)]
         for (x0, y0), (x1, y1) in zip(points, points[1:]):
             count = max(2, int(math.hypot(x1 - x0, y1 - y0) / 4))
-            self.taken += [(x0 + (x1 - x0) * i / count - 0.5, y0 + (y1 - y0) * i / count - 0.5, x0 + (x1 - x0) * i / count + 0.5,
-                            y0 + (y1 - y0) * i / count + 0.5) for i in range(count + 1)]
+            self.taken += [(x0 + (x1 - x0) * i / count - 0.5, y0 + (y1 - y0) * i / count - 0.5,
+                            x0 + (x1 - x0) * i / count + 0.5, y0 + (y1 - y0) * i / count + 0.5)
+                           for i in range(count + 1)]
 
     @staticmethod
     def overlap(one, other):
@@ -127,7 +130,11 @@ class Labels:
 
     def place(self):
         frame = self.axes.get_window_extent(self.renderer)
-        crowd = [sum(math.hypot(at[0] - other[0][0], at[1] - other[0][1]) < 60 for other in self.wanted) for at, _, _ in self.wanted]
+        crowd = [
+            sum(math.hypot(at[0] - other[0][0], at[1] - other[0][1]) < 60
+                for other in self.wanted)
+            for at, _, _ in self.wanted
+        ]
         for (at, word, colour), _ in sorted(zip(self.wanted, crowd), key=lambda item: -item[1]):
             probe = self.axes.text(0, 0, word, fontsize=self.size)
             extent = probe.get_window_extent(self.renderer)
@@ -141,8 +148,10 @@ class Labels:
                     x = at[0] + distance * cosine + (width / 2 if cosine > 0.3 else -width / 2 if cosine < -0.3 else 0)
                     y = at[1] + distance * sine + (height / 2 if sine > 0.3 else -height / 2 if sine < -0.3 else 0)
                     box = (x - width / 2 - 1, y - height / 2 - 1, x + width / 2 + 1, y + height / 2 + 1)
-                    outside = box[0] < frame.x0 + 2 or box[2] > frame.x1 - 2 or box[1] < frame.y0 + 2 or box[3] > frame.y1 - 2
-                    cost = 3.0 * sum(self.overlap(box, other) for other in self.taken) + 1e4 * outside + 3.0 * distance + 2.0 * (turn % 4 != 0)
+                    outside = box[0] < frame.x0 + 2 or box[2] > frame.x1 - 2 or box[1] < frame.y0 + 2 or box[
+                        3] > frame.y1 - 2
+                    cost = 3.0 * sum(self.overlap(box, other)
+                                     for other in self.taken) + 1e4 * outside + 3.0 * distance + 2.0 * (turn % 4 != 0)
                     if best is None or cost < best[0]:
                         best = (cost, x, y, box, ring)
                 if best[0] < 3.0 * distance + 3:
@@ -152,8 +161,16 @@ class Labels:
             inverse = self.axes.transData.inverted()
             if ring > 1:
                 near = (min(max(at[0], box[0]), box[2]), min(max(at[1], box[1]), box[3]))
-                self.axes.plot(*zip(inverse.transform(at), inverse.transform(near)), color=colour, linewidth=0.4, zorder=1)
-            self.axes.text(*inverse.transform((x, y)), word, fontsize=self.size, color=colour, ha="center", va="center_baseline")
+                self.axes.plot(*zip(inverse.transform(at), inverse.transform(near)),
+                               color=colour,
+                               linewidth=0.4,
+                               zorder=1)
+            self.axes.text(*inverse.transform((x, y)),
+                           word,
+                           fontsize=self.size,
+                           color=colour,
+                           ha="center",
+                           va="center_baseline")
 
 
 def size(count):
@@ -179,8 +196,15 @@ def law_panel(figure, axes, rows, law):
     error_axis(axes, 10)
     labels = Labels(figure, axes, 7)
     ours = rows.where(kind="ours")
-    for front, style in ((cheapest_first(ours), {"color": BLUE, "linewidth": 5, "alpha": 0.16}),
-                         (cheapest_first(rows.where(kind="others")), {"color": VERMILION, "linewidth": 5, "alpha": 0.16})):
+    for front, style in ((cheapest_first(ours), {
+            "color": BLUE,
+            "linewidth": 5,
+            "alpha": 0.16
+    }), (cheapest_first(rows.where(kind="others")), {
+            "color": VERMILION,
+            "linewidth": 5,
+            "alpha": 0.16
+    })):
         axes.plot(*steps(front, right), solid_capstyle="butt", zorder=0, **style)
     for family, of_family in rows.groups("family").items():
         draw_family(axes, labels, family, of_family, "mean_ns")
@@ -202,7 +226,9 @@ def draw_family(axes, labels, family, rows, cost):
 
 
 def step_panel(figure, axes, rows):
-    axes.set(title="a god-object's step (hertz): error of the steady wrench", ylim=(0.3, 3e3), ylabel="mean time of a step  [ns]")
+    axes.set(title="a god-object's step (hertz): error of the steady wrench",
+             ylim=(0.3, 3e3),
+             ylabel="mean time of a step  [ns]")
     error_axis(axes, 1e3)
     labels = Labels(figure, axes, 7)
     for projection, (colour, marker, in_batch) in PROJECTIONS.items():
@@ -217,7 +243,11 @@ def step_panel(figure, axes, rows):
                 continue
             axes.plot([error, error], [row["batch_1024_ns"], row["cold_ns"]], color=colour, linewidth=0.6, zorder=2)
             axes.plot([error], [row["warm_ns"]], marker, color=colour, markersize=4.6, zorder=3)
-            axes.plot([max(row["mean_error"], ROUNDING), error], [row["warm_ns"]] * 2, color=colour, linewidth=3, alpha=0.35, zorder=1)
+            axes.plot([max(row["mean_error"], ROUNDING), error], [row["warm_ns"]] * 2,
+                      color=colour,
+                      linewidth=3,
+                      alpha=0.35,
+                      zorder=1)
             axes.plot([error], [row["cold_ns"]], "_", color=colour, markersize=6, zorder=3)
             labels.line([error, error], [row["batch_1024_ns"], row["cold_ns"]])
             labels.dot(error, row["cold_ns"], "", colour)
@@ -228,7 +258,11 @@ def step_panel(figure, axes, rows):
         axes.plot([], [], marker, color=colour, label=f"{projection}, warm")
         axes.plot([], [], in_batch, color=colour, label=f"{projection}, a contact in a batch of 1024")
     axes.plot([], [], "_", color=INK, label="cold")
-    axes.plot([], [], color=INK, linewidth=3, alpha=0.35, label="from the mean to the largest error, κ and c/a 0.1 to 10")
+    axes.plot([], [],
+              color=INK,
+              linewidth=3,
+              alpha=0.35,
+              label="from the mean to the largest error, κ and c/a 0.1 to 10")
     axes.legend(loc="lower right", fontsize=7, handlelength=1.2)
 
 
@@ -238,14 +272,22 @@ def work_precision(data):
     figure, axes = plt.subplots(figsize=(8.4, 6.2))
     figure.subplots_adjust(left=0.09, right=0.985, top=0.95, bottom=0.16)
     figure.canvas.draw()
-    axes.set(title="One friction wrench of a Hertz contact: error against time", ylim=(0.7, 4e8), ylabel="mean time of a wrench  [ns]")
+    axes.set(title="One friction wrench of a Hertz contact: error against time",
+             ylim=(0.7, 4e8),
+             ylabel="mean time of a wrench  [ns]")
     error_axis(axes, 30)
     labels = Labels(figure, axes, 8.5)
     for family, of_family in rows.groups("family").items():
         colour, marker, dashes, by_parameter = FAMILIES[family]
         points = [(max(row["max_error"], ROUNDING), row["mean_ns"]) for row in of_family]
         hollow = {"markerfacecolor": "white"} if of_family[0]["kind"] != "ours" else {}
-        axes.plot(*zip(*points), marker=marker, markersize=4.5, color=colour, linewidth=0.6, linestyle=dashes if by_parameter else "none", zorder=3,
+        axes.plot(*zip(*points),
+                  marker=marker,
+                  markersize=4.5,
+                  color=colour,
+                  linewidth=0.6,
+                  linestyle=dashes if by_parameter else "none",
+                  zorder=3,
                   **hollow)
         labels.line(*zip(*points))
         draw_many(axes, labels, of_family, colour)
@@ -258,14 +300,21 @@ def work_precision(data):
             if row["many_ns"] != "":
                 labels.dot(*point, size(row["bytes"]), colour)
         if family in LEGEND and family != "ring":
-            labels.dot(*points[-1 if family in ("table", *ENDS_NAMED) else len(points) // 2], LEGEND[family].rsplit(", ", 1)[0], colour)
+            labels.dot(*points[-1 if family in ("table", *ENDS_NAMED) else len(points) // 2],
+                       LEGEND[family].rsplit(", ", 1)[0], colour)
         elif family not in LEGEND:
             for point, row, word in zip(points, of_family, chosen):
                 labels.dot(*point, "" if word else name(row), colour)
     labels.place()
-    figure.text(0.5, 0.012, "Ringed: what to take, and for what. Filled: this library. Hollow: others. Dashes above dots: one of 64 tables, visited at random.\n"
-                "Error against 50-digit values of eq. (17), between them against evaluate in 80 bits. "
-                f"Measured on {data['work_precision_step'][0]['machine']}.", ha="center", fontsize=8, color=FAINT)
+    figure.text(
+        0.5,
+        0.012,
+        "Ringed: what to take, and for what. Filled: this library. Hollow: others. Dashes above dots: one of 64 tables, visited at random.\n"
+        "Error against 50-digit values of eq. (17), between them against evaluate in 80 bits. "
+        f"Measured on {data['work_precision_step'][0]['machine']}.",
+        ha="center",
+        fontsize=8,
+        color=FAINT)
     return figure
 
 
@@ -281,11 +330,26 @@ def all_work_precision(data):
     step_panel(figure, panels.flat[5], step)
     handles = {}
     for axes in panels.flat[:len(laws)]:
-        handles.update({label: handle for handle, label in zip(*axes.get_legend_handles_labels()) if label in LEGEND.values()})
+        handles.update({
+            label: handle
+            for handle, label in zip(*axes.get_legend_handles_labels())
+            if label in LEGEND.values()
+        })
     order = [label for label in LEGEND.values() if label in handles]
-    figure.legend([handles[label] for label in order], order, loc="lower center", ncols=4, bbox_to_anchor=(0.5, 0.025), handlelength=3.5)
+    figure.legend([handles[label] for label in order],
+                  order,
+                  loc="lower center",
+                  ncols=4,
+                  bbox_to_anchor=(0.5, 0.025),
+                  handlelength=3.5)
     machine = step[0]["machine"]
-    figure.text(0.5, 0.004, "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (red).\n"
-                "Dashes above dots: one of 64 tables, visited at random. Error against 50-digit values, between them against evaluate. "
-                f"Measured on {machine}.", ha="center", fontsize=8.5, color=FAINT)
+    figure.text(
+        0.5,
+        0.004,
+        "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (red).\n"
+        "Dashes above dots: one of 64 tables, visited at random. Error against 50-digit values, between them against evaluate. "
+        f"Measured on {machine}.",
+        ha="center",
+        fontsize=8.5,
+        color=FAINT)
     return figure

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Questions that every interface answers alike (data/conformance.csv, from a reference that is not the library): C++ exact, in double and in
-// float, and C. tests/cli/test_conformance.py asks the command and the exported header, python/tests/test_conformance.py the rest.
+// Questions that every interface answers alike (data/conformance.csv, from a reference that is not the library): C++
+// exact, in double and in float, and C. tests/cli/test_conformance.py asks the command and the exported header,
+// python/tests/test_conformance.py the rest.
 #include "c/limitcurve.h"
 
 #include "godobject/finger_curve.hpp"
@@ -60,7 +61,8 @@ std::vector<Question> questions() {
     const auto read = [&question](const std::string& text, Numbers& numbers) {
       std::istringstream words(text);
       for (std::string word; words >> word;) {
-        word.find(':') != std::string::npos ? void(question.radius_law = word) : numbers.push_back(std::strtod(word.c_str(), nullptr));
+        word.find(':') != std::string::npos ? void(question.radius_law = word)
+                                            : numbers.push_back(std::strtod(word.c_str(), nullptr));
       }
     };
     read(arguments, question.arguments);
@@ -86,7 +88,8 @@ std::optional<Numbers> of_curve(const Curve& curve, const Question& question) {
     return Numbers{wrench.force, wrench.moment};
   }
   if (question.quantity == "gauge") return Numbers{curve.gauge({of[0], of[1]})};
-  if (question.quantity == "hold") return Numbers{load_to_hold(curve, {of[0], RadiusLaw::parse(question.radius_law)}, of[1], of[2])};
+  if (question.quantity == "hold")
+    return Numbers{load_to_hold(curve, {of[0], RadiusLaw::parse(question.radius_law)}, of[1], of[2])};
   return std::nullopt;
 }
 
@@ -100,8 +103,9 @@ std::optional<Numbers> of_finger_curve(const BasicFingerCurve<Real>& curve, cons
   const auto real = [](double value) { return static_cast<Real>(value); };
   const FrictionLimit<Real> limit{1, 1};
   FrictionMemory<Real> memory;
-  const auto result = apply_friction(curve.view(), Projection::closest_point, FrictionLimits<Real>{limit, limit, real(of[2])},
-                                     FrictionTrial<Real>{real(of[0]), real(of[1])}, memory);
+  const auto result =
+      apply_friction(curve.view(), Projection::closest_point, FrictionLimits<Real>{limit, limit, real(of[2])},
+                     FrictionTrial<Real>{real(of[0]), real(of[1])}, memory);
   return Numbers{double{result.force_fraction} * of[0], double{result.moment_fraction} * of[1]};
 }
 
@@ -146,18 +150,20 @@ TEST(Questions, EveryInterfaceAnswersAlike) {
       ASSERT_EQ(limitcurve_table_build(c_law, 1e-9, &c_table), LIMITCURVE_OK);
       limitcurve_law_free(c_law);
       const std::shared_ptr<limitcurve_table> owned(c_table, limitcurve_table_free);
-      of_law = {{"ExactCurve", 5e-12, [exact](const Question& q) { return of_curve(exact, q); }},
-                {"Table", 2e-9, [table](const Question& q) { return of_curve(table, q); }},
-                {"FloatTable", 4e-6, [single](const Question& q) { return of_curve(single, q); }},
-                {"FingerCurve", 2e-9, [curve = FingerCurve(table)](const Question& q) { return of_finger_curve(curve, q); }},
-                {"FingerCurve in float", 4e-6,
-                 [curve = BasicFingerCurve<float>(single)](const Question& q) { return of_finger_curve(curve, q); }},
-                {"C", 2e-9, [owned](const Question& q) { return of_c(owned.get(), q); }}};
+      of_law = {
+          {"ExactCurve", 5e-12, [exact](const Question& q) { return of_curve(exact, q); }},
+          {"Table", 2e-9, [table](const Question& q) { return of_curve(table, q); }},
+          {"FloatTable", 4e-6, [single](const Question& q) { return of_curve(single, q); }},
+          {"FingerCurve", 2e-9, [curve = FingerCurve(table)](const Question& q) { return of_finger_curve(curve, q); }},
+          {"FingerCurve in float", 4e-6,
+           [curve = BasicFingerCurve<float>(single)](const Question& q) { return of_finger_curve(curve, q); }},
+          {"C", 2e-9, [owned](const Question& q) { return of_c(owned.get(), q); }}};
     }
     // Errors of a table are in units of the larger of 1 and m₀.
     const double ratio = ExactCurve(parse_law(question.law)).moment_ratio();
     const double unit = std::max(ratio, 1.0 / ratio);
-    const bool is_finite = std::all_of(question.arguments.begin(), question.arguments.end(), [](double x) { return std::isfinite(x); });
+    const bool is_finite =
+        std::all_of(question.arguments.begin(), question.arguments.end(), [](double x) { return std::isfinite(x); });
     for (const Interface& one : of_law) {
       const auto answer = one.answer(question);
       if (!answer) continue;
@@ -171,7 +177,8 @@ TEST(Questions, EveryInterfaceAnswersAlike) {
         const double expected = question.answer[i];
         const double got = (*answer)[i];
         if (!std::isfinite(expected)) {
-          EXPECT_TRUE(std::isnan(expected) ? std::isnan(got) : got == expected) << place << " got " << got << " for " << expected;
+          EXPECT_TRUE(std::isnan(expected) ? std::isnan(got) : got == expected)
+              << place << " got " << got << " for " << expected;
         } else {
           EXPECT_NEAR(got, expected, one.tolerance * unit * std::max(1.0, std::fabs(expected))) << place;
         }

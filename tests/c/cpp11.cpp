@@ -19,14 +19,16 @@ int main() {
   limitcurve_finger_output felt{};
   int wrong = 0;
   const auto expect = [&](const char* what, double found, double expected) {
-    if (!(std::fabs(found - expected) < 1e-7)) wrong += std::printf("%ld: %s: %.9g, expected %.9g\n", __cplusplus, what, found, expected);
+    if (!(std::fabs(found - expected) < 1e-7))
+      wrong += std::printf("%ld: %s: %.9g, expected %.9g\n", __cplusplus, what, found, expected);
   };
   // A slide, and a turn about the normal: mu P, and 3 pi/16 of mu P a.
   for (int i = 0; i < 1000; ++i, contact.point[0] += 1e-5) felt = finger.update(contact, 1e-3);
   expect("force", whole_force(felt)[0], -1.2);
   expect("load", whole_force(felt)[2], 2);
   finger.reset();
-  for (int i = 0; i < 1000; ++i) felt = finger.update(contact, Quaternion{{std::cos(5e-4 * i), 0, 0, std::sin(5e-4 * i)}}, 1e-3);
+  for (int i = 0; i < 1000; ++i)
+    felt = finger.update(contact, Quaternion{{std::cos(5e-4 * i), 0, 0, std::sin(5e-4 * i)}}, 1e-3);
   expect("moment in N mm", 1e3 * moment_vector(felt)[2], -7.2 * 3 * std::acos(-1.0) / 16);
   skin.radius_law = nullptr;  // the finger's own
   skin.mu = 0.3;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ten thousand calls that a careless or hostile program makes: each is an error with a line that says why, or a right answer.
+// Ten thousand calls that a careless or hostile program makes: each is an error with a line that says why, or a right
+// answer.
 #include "c/limitcurve.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,8 @@ class HostileCalls : public testing::Test {
     return random() % 8 == 0 ? nullptr : thing;
   }
   limitcurve_projection projection() {
-    static constexpr std::array odd{0, 1, 2, 3, 4, -1, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
+    static constexpr std::array odd{
+        0, 1, 2, 3, 4, -1, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
     return odd[random() % odd.size()];
   }
   /// A status has one of three values, and a failure has its own message.
@@ -102,8 +104,8 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
                                             or_null(out.data() + 4), or_null(out.data() + 8), nullptr));
         break;
       case 2: {
-        const limitcurve_status status =
-            limitcurve_table_evaluate(or_null(table), or_null(numbers.data()), 4, or_null(out.data()), or_null(out.data() + 4));
+        const limitcurve_status status = limitcurve_table_evaluate(or_null(table), or_null(numbers.data()), 4,
+                                                                   or_null(out.data()), or_null(out.data() + 4));
         expect_told(status);
         for (int i = 0; i < 4 && status == LIMITCURVE_OK; ++i) {
           const auto cell = static_cast<std::size_t>(i);
@@ -128,8 +130,8 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         const limitcurve_limits limits{number(), number(), number(), number(), number(), number(), number()};
         limitcurve_memory memory{number(), number(), static_cast<int>(random() % 3), static_cast<int>(random() % 3)};
         limitcurve_friction friction{};
-        const limitcurve_status status =
-            limitcurve_apply_friction(or_null(table), projection(), &limits, number(), number(), or_null(&memory), or_null(&friction));
+        const limitcurve_status status = limitcurve_apply_friction(or_null(table), projection(), &limits, number(),
+                                                                   number(), or_null(&memory), or_null(&friction));
         expect_told(status);
         if (status == LIMITCURVE_OK) {
           EXPECT_TRUE(friction.force_fraction >= 0 && friction.force_fraction <= 1 && friction.moment_fraction >= 0 &&
@@ -144,11 +146,15 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         if (random() % 4 == 0) parameters.mu_r = number();
         if (random() % 4 == 0) parameters.radius_law = text();
         limitcurve_finger* finger = nullptr;
-        expect_told(random() % 2 == 0 ? limitcurve_finger_new(or_null(table), or_null(&parameters), projection(), &finger)
-                                      : limitcurve_finger_new_patch(or_null(patch), &parameters, number(), &finger));
+        expect_told(random() % 2 == 0
+                        ? limitcurve_finger_new(or_null(table), or_null(&parameters), projection(), &finger)
+                        : limitcurve_finger_new_patch(or_null(patch), &parameters, number(), &finger));
         for (int i = 0; finger != nullptr && i < 10; ++i) {
-          const limitcurve_contact contact{
-              {number(), number(), 0}, {0, 0, random() % 4 == 0 ? number() : 1}, number(), number(), static_cast<int>(random())};
+          const limitcurve_contact contact{{number(), number(), 0},
+                                           {0, 0, random() % 4 == 0 ? number() : 1},
+                                           number(),
+                                           number(),
+                                           static_cast<int>(random())};
           limitcurve_finger_output output{};
           const double orientation[4] = {random() % 4 == 0 ? number() : 1, 0, 0, 0};
           if (random() % 4 == 0) {
@@ -161,21 +167,24 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
           expect_told(limitcurve_finger_spring_energy(or_null(finger), or_null(&energy)));
           EXPECT_GE(energy, 0);
           expect_told(limitcurve_finger_preview(or_null(finger), or_null(&contact), number(), or_null(&output)));
-          expect_told(limitcurve_finger_preview_pose(finger, or_null(&contact), or_null(orientation), number(), or_null(&output)));
+          expect_told(limitcurve_finger_preview_pose(finger, or_null(&contact), or_null(orientation), number(),
+                                                     or_null(&output)));
           limitcurve_status status = LIMITCURVE_OK;
           switch (random() % 4) {
             case 0:
               status = limitcurve_finger_update(finger, or_null(&contact), number(), or_null(&output));
               break;
             case 1:
-              status = limitcurve_finger_update_pose(finger, or_null(&contact), or_null(orientation), number(), or_null(&output));
+              status = limitcurve_finger_update_pose(finger, or_null(&contact), or_null(orientation), number(),
+                                                     or_null(&output));
               break;
             case 2:
-              status = limitcurve_finger_update_under_load_pose(finger, or_null(&contact), number(), or_null(orientation), number(),
-                                                                or_null(&output));
+              status = limitcurve_finger_update_under_load_pose(finger, or_null(&contact), number(),
+                                                                or_null(orientation), number(), or_null(&output));
               break;
             default:
-              status = limitcurve_finger_update_under_load(finger, or_null(&contact), number(), number(), or_null(&output));
+              status =
+                  limitcurve_finger_update_under_load(finger, or_null(&contact), number(), number(), or_null(&output));
           }
           expect_told(status);
           if (status != LIMITCURVE_OK) continue;
@@ -193,32 +202,37 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         for (std::array<double, 4>& array : arrays) array = {number(), number(), number(), number()};
         std::array<std::uint8_t, 4> state{static_cast<std::uint8_t>(random()), 1, 2, 3};
         std::array<std::uint8_t, 4> sliding{static_cast<std::uint8_t>(random()), 1, 2, 3}, turning = sliding;
-        const limitcurve_contacts contacts{arrays[0].data(), arrays[1].data(),  arrays[2].data(), or_null(arrays[3].data()),
-                                           arrays[4].data(), arrays[5].data(),  arrays[6].data(), state.data(),
-                                           sliding.data(),   turning.data(),    arrays[7].data(), arrays[8].data(),
-                                           arrays[9].data(), arrays[10].data(), arrays[10].data()};
+        const limitcurve_contacts contacts{
+            arrays[0].data(), arrays[1].data(),  arrays[2].data(), or_null(arrays[3].data()),
+            arrays[4].data(), arrays[5].data(),  arrays[6].data(), state.data(),
+            sliding.data(),   turning.data(),    arrays[7].data(), arrays[8].data(),
+            arrays[9].data(), arrays[10].data(), arrays[10].data()};
         expect_told(limitcurve_batch_step(batch, or_null(&contacts), 4));
         limitcurve_batch_free(batch);
         break;
       }
       case 8: {
         limitcurve_patch* made = nullptr;
-        expect_told(random() % 2 == 0
-                        ? limitcurve_patch_points(numbers.data(), numbers.data(), or_null(numbers.data()), random() % 5, &made)
-                        : limitcurve_patch_polygon(numbers.data(), or_null(numbers.data()), random() % 5, &made));
+        expect_told(
+            random() % 2 == 0
+                ? limitcurve_patch_points(numbers.data(), numbers.data(), or_null(numbers.data()), random() % 5, &made)
+                : limitcurve_patch_polygon(numbers.data(), or_null(numbers.data()), random() % 5, &made));
         limitcurve_patch_free(made);
         break;
       }
       case 9: {
         limitcurve_patch* made = nullptr;
-        expect_told(random() % 2 == 0 ? limitcurve_patch_image(or_null(numbers.data()), 2, 2, number(), &made)
-                                      : limitcurve_patch_image(numbers.data(), std::size_t(-1), std::size_t(-1), 1, &made));
+        expect_told(random() % 2 == 0
+                        ? limitcurve_patch_image(or_null(numbers.data()), 2, 2, number(), &made)
+                        : limitcurve_patch_image(numbers.data(), std::size_t(-1), std::size_t(-1), 1, &made));
         limitcurve_patch_free(made);
         break;
       }
       case 10:
-        expect_told(limitcurve_patch_wrench(or_null(patch), or_null(numbers.data()), 1, or_null(out.data()), nullptr, out.data() + 4));
-        expect_told(limitcurve_patch_slip(or_null(patch), or_null(numbers.data()), 1, or_null(out.data()), out.data() + 4));
+        expect_told(limitcurve_patch_wrench(or_null(patch), or_null(numbers.data()), 1, or_null(out.data()), nullptr,
+                                            out.data() + 4));
+        expect_told(
+            limitcurve_patch_slip(or_null(patch), or_null(numbers.data()), 1, or_null(out.data()), out.data() + 4));
         break;
       case 11: {
         limitcurve_finger_parameters contact = limitcurve_finger_defaults();
@@ -226,9 +240,10 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         contact.mu_r = random() % 2 == 0 ? number() : std::nan("");
         contact.radius_law = or_null(contact.radius_law);
         expect_told(random() % 2 == 0
-                        ? limitcurve_patch_load_to_hold(or_null(patch), number(), or_null(numbers.data()), 1, or_null(out.data()))
-                        : limitcurve_table_load_to_hold(or_null(table), or_null(&contact), or_null(numbers.data()), numbers.data(), 1,
-                                                        or_null(out.data())));
+                        ? limitcurve_patch_load_to_hold(or_null(patch), number(), or_null(numbers.data()), 1,
+                                                        or_null(out.data()))
+                        : limitcurve_table_load_to_hold(or_null(table), or_null(&contact), or_null(numbers.data()),
+                                                        numbers.data(), 1, or_null(out.data())));
         break;
       }
       default: {
@@ -259,7 +274,8 @@ TEST_F(HostileCalls, AnArrayThatIsMissingIsNamed) {
     EXPECT_EQ(std::string(limitcurve_error()).find(name + ": "), 0U) << limitcurve_error();
   };
 #define TOLD(member) told(&limitcurve_contacts::member, #member)
-  TOLD(x), TOLD(y), TOLD(twist), TOLD(depth), TOLD(proxy_x), TOLD(proxy_y), TOLD(proxy_angle), TOLD(state), TOLD(force_slides);
+  TOLD(x), TOLD(y), TOLD(twist), TOLD(depth), TOLD(proxy_x), TOLD(proxy_y), TOLD(proxy_angle), TOLD(state),
+      TOLD(force_slides);
   TOLD(moment_slides), TOLD(search_start), TOLD(search_rate), TOLD(fx), TOLD(fy), TOLD(moment);
 #undef TOLD
   limitcurve_batch_free(batch);
@@ -303,9 +319,11 @@ TEST(Errors, NameTheArgumentItsValueAndWhatIsExpected) {
   const std::array<double, 2> cors{0.25, -0.25};
   std::array<double, 2> forces{};
   std::array<double, 2> moments{};
-  EXPECT_EQ(limitcurve_law_evaluate(law, cors.data(), 2, forces.data(), moments.data(), nullptr, nullptr), LIMITCURVE_OK);
+  EXPECT_EQ(limitcurve_law_evaluate(law, cors.data(), 2, forces.data(), moments.data(), nullptr, nullptr),
+            LIMITCURVE_OK);
   EXPECT_EQ(forces[0], forces[1]);
-  EXPECT_EQ(limitcurve_law_evaluate(nullptr, cors.data(), 2, forces.data(), moments.data(), nullptr, nullptr), LIMITCURVE_INVALID);
+  EXPECT_EQ(limitcurve_law_evaluate(nullptr, cors.data(), 2, forces.data(), moments.data(), nullptr, nullptr),
+            LIMITCURVE_INVALID);
   EXPECT_STREQ(limitcurve_error(), "law: got NULL");
   limitcurve_law_free(law);
 }

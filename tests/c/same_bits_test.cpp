@@ -35,7 +35,8 @@ std::uint64_t bits(double number) {
 std::vector<double> random_cors() {
   std::mt19937_64 random(20260727);
   std::uniform_real_distribution<double> exponent(-20, 20);
-  std::vector<double> cors{0.0, 1.0, std::numeric_limits<double>::infinity(), std::nextafter(1.0, 0.0), std::nextafter(1.0, 2.0)};
+  std::vector<double> cors{0.0, 1.0, std::numeric_limits<double>::infinity(), std::nextafter(1.0, 0.0),
+                           std::nextafter(1.0, 2.0)};
   while (cors.size() < count) cors.push_back(std::pow(10.0, exponent(random) / (cors.size() % 2 == 0 ? 1 : 20)));
   return cors;
 }
@@ -61,12 +62,14 @@ TEST(SameBits, FrictionTakesTheLimitsOfEveryFinger) {
               at.sticking.force, at.sticking.radius, at.sliding.force, at.sliding.radius, at.stiffness_ratio, 0.5, 0.5};
           limitcurve_memory memory{};
           limitcurve_friction found{};
-          ASSERT_EQ(limitcurve_apply_friction(ellipse, LIMITCURVE_CLOSEST_POINT, &limits, 1.0, 0.01, &memory, &found), LIMITCURVE_OK)
-              << limitcurve_error() << " mu_dynamic " << mu_dynamic << " mu_r " << mu_r << " part " << part << " load " << load;
+          ASSERT_EQ(limitcurve_apply_friction(ellipse, LIMITCURVE_CLOSEST_POINT, &limits, 1.0, 0.01, &memory, &found),
+                    LIMITCURVE_OK)
+              << limitcurve_error() << " mu_dynamic " << mu_dynamic << " mu_r " << mu_r << " part " << part << " load "
+              << load;
           FrictionMemory<double> remembered;
-          const FrictionResult<double> expected =
-              apply_friction(same.view(), Projection::closest_point, {at.sticking, at.sliding, at.stiffness_ratio, 0.5, 0.5},
-                             FrictionTrial<double>{1.0, 0.01}, remembered);
+          const FrictionResult<double> expected = apply_friction(
+              same.view(), Projection::closest_point, {at.sticking, at.sliding, at.stiffness_ratio, 0.5, 0.5},
+              FrictionTrial<double>{1.0, 0.01}, remembered);
           ASSERT_EQ(bits(found.force_fraction), bits(expected.force_fraction));
           ASSERT_EQ(bits(found.moment_fraction), bits(expected.moment_fraction));
         }
@@ -76,7 +79,8 @@ TEST(SameBits, FrictionTakesTheLimitsOfEveryFinger) {
   const limitcurve_limits grows{1.0, 0.01, 0.5, 0.021, 25000.0, 1.0, 1.0};
   limitcurve_memory memory{};
   limitcurve_friction found{};
-  EXPECT_EQ(limitcurve_apply_friction(ellipse, LIMITCURVE_CLOSEST_POINT, &grows, 1.0, 0.01, &memory, &found), LIMITCURVE_INVALID);
+  EXPECT_EQ(limitcurve_apply_friction(ellipse, LIMITCURVE_CLOSEST_POINT, &grows, 1.0, 0.01, &memory, &found),
+            LIMITCURVE_INVALID);
   limitcurve_table_free(ellipse);
 }
 
@@ -87,7 +91,8 @@ TEST(SameBits, EvaluateOfALaw) {
     const Law same = parse_law(text);
     const std::vector<double> cors = random_cors();
     std::vector<double> forces(count), moments(count), force_errors(count), moment_errors(count);
-    ASSERT_EQ(limitcurve_law_evaluate(law, cors.data(), count, forces.data(), moments.data(), force_errors.data(), moment_errors.data()),
+    ASSERT_EQ(limitcurve_law_evaluate(law, cors.data(), count, forces.data(), moments.data(), force_errors.data(),
+                                      moment_errors.data()),
               LIMITCURVE_OK);
     for (std::size_t i = 0; i < count; ++i) {
       const WrenchEstimate expected = same->evaluate(cors[i]);
@@ -116,15 +121,17 @@ TEST(SameBits, FrictionOfABoxWhoseTestsComeToRestApart) {
     const double force = 1.2 * share(random);
     const double moment = 1.2 * 0.006 * 0.6 * share(random);
     limitcurve_friction friction;
-    ASSERT_EQ(limitcurve_apply_friction(box, LIMITCURVE_CLOSEST_POINT, &limits, force, moment, &memory, &friction), LIMITCURVE_OK);
-    const auto expected =
-        apply_friction(same.view(), Projection::closest_point, same_limits, FrictionTrial<double>{force, moment}, same_memory);
+    ASSERT_EQ(limitcurve_apply_friction(box, LIMITCURVE_CLOSEST_POINT, &limits, force, moment, &memory, &friction),
+              LIMITCURVE_OK);
+    const auto expected = apply_friction(same.view(), Projection::closest_point, same_limits,
+                                         FrictionTrial<double>{force, moment}, same_memory);
     ASSERT_EQ(bits(friction.force_fraction), bits(expected.force_fraction));
     ASSERT_EQ(bits(friction.moment_fraction), bits(expected.moment_fraction));
     ASSERT_EQ(memory.force_slides != 0, same_memory.force_slides);
     ASSERT_EQ(memory.moment_slides != 0, same_memory.moment_slides);
     ++seen[static_cast<std::size_t>(2 * memory.force_slides + memory.moment_slides)];
-    // By hand: a contact that turned keeps turning until the moment is below half of the sliding limit, 0.9 N * 5 mm * 0.6.
+    // By hand: a contact that turned keeps turning until the moment is below half of the sliding limit, 0.9 N * 5 mm *
+    // 0.6.
     if (memory.moment_slides == 0) {
       ASSERT_TRUE(moment <= 1.2 * 0.006 * 0.6);
     } else if (moment < 0.5 * 0.9 * 0.005 * 0.6) {
@@ -184,7 +191,8 @@ TEST(SameBits, UpdateOfAFinger) {
     contact.point[1] += 2e-4 * normal(random);
     contact.depth = 1e-3 * (1 + normal(random));
     contact.twist += 0.05 * normal(random);
-    const double twist = i % 1000 == 999 ? std::numeric_limits<double>::quiet_NaN() : contact.twist;  // a device's fault now and then
+    const double twist =
+        i % 1000 == 999 ? std::numeric_limits<double>::quiet_NaN() : contact.twist;  // a device's fault now and then
     limitcurve_contact given = contact;
     given.twist = twist;
     given.landed = i % 64 == 63;
@@ -192,7 +200,8 @@ TEST(SameBits, UpdateOfAFinger) {
     const Eigen::Vector3d point(contact.point);
     const Eigen::Vector3d upward(contact.normal);
     FingerOutput expected;
-    if (i % 1024 >= 896) {  // by the orientation, in place of the twist; the preview is that of a second finger in the same state
+    if (i % 1024 >=
+        896) {  // by the orientation, in place of the twist; the preview is that of a second finger in the same state
       const Orientation held(Eigen::AngleAxisd(twist, Eigen::Vector3d(0.6, 0, 0.8)));
       const double orientation[4] = {held.w(), held.x(), held.y(), held.z()};
       const Contact touched{point, upward, contact.depth, {}, i % 64 == 63};
@@ -212,7 +221,8 @@ TEST(SameBits, UpdateOfAFinger) {
       ASSERT_EQ(limitcurve_finger_spring_energy(finger, &energy), LIMITCURVE_OK);
       ASSERT_EQ(bits(energy), bits(expected_finger.spring_energy()));
       if (i % 4 == 0) {
-        ASSERT_EQ(limitcurve_finger_update_under_load_pose(finger, &given, 2, orientation, 1e-3, &output), LIMITCURVE_OK);
+        ASSERT_EQ(limitcurve_finger_update_under_load_pose(finger, &given, 2, orientation, 1e-3, &output),
+                  LIMITCURVE_OK);
         expected = expected_finger.update_under_load(point, upward, 2, held, 1e-3, touched.landed);
       }
     } else if (i % 128 < 64) {
@@ -263,7 +273,8 @@ void compare_batches(const BasicBatch<Real>& same, const Step& step) {
   std::size_t slips = 0;
   for (int round = 0; round < 10; ++round) {
     for (std::size_t i = 0; i < count; ++i) {
-      const std::array<double, 4> moved{1e-3 * normal(random), 1e-3 * normal(random), 0.1 * normal(random), 1e-3 * (1 + normal(random))};
+      const std::array<double, 4> moved{1e-3 * normal(random), 1e-3 * normal(random), 0.1 * normal(random),
+                                        1e-3 * (1 + normal(random))};
       for (BasicContactArrays<Real>* const arrays : {&mine, &other}) {
         arrays->x()[i] = static_cast<Real>(moved[0]);
         arrays->y()[i] = static_cast<Real>(moved[1]);
@@ -291,7 +302,8 @@ void compare_batches(const BasicBatch<Real>& same, const Step& step) {
     const BasicContactBatch<Real> expected = other.batch();
     same.step(expected);
     const auto equal = [](auto one, auto two) { return std::memcmp(one.data(), two.data(), one.size_bytes()) == 0; };
-    ASSERT_TRUE(equal(of.proxy_x, expected.proxy_x) && equal(of.proxy_y, expected.proxy_y) && equal(of.proxy_angle, expected.proxy_angle));
+    ASSERT_TRUE(equal(of.proxy_x, expected.proxy_x) && equal(of.proxy_y, expected.proxy_y) &&
+                equal(of.proxy_angle, expected.proxy_angle));
     ASSERT_TRUE(equal(of.fx, expected.fx) && equal(of.fy, expected.fy) && equal(of.moment, expected.moment));
     ASSERT_TRUE(equal(of.state, expected.state) && equal(of.force_slides, expected.force_slides) &&
                 equal(of.moment_slides, expected.moment_slides));
@@ -310,11 +322,12 @@ TEST(SameBits, StepsOfABatch) {
   ASSERT_EQ(limitcurve_table_build(law, 1e-8, &table), LIMITCURVE_OK);
   ASSERT_EQ(limitcurve_batch_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, &batch), LIMITCURVE_OK);
   ASSERT_EQ(limitcurve_batch_new_float(law, 1e-6, &parameters, LIMITCURVE_CLOSEST_POINT, &float_batch), LIMITCURVE_OK);
-  compare_batches<double, limitcurve_contacts>(Batch(Table::build(hertz(), 1e-8), {}),
-                                               [&](const auto* contacts) { return limitcurve_batch_step(batch, contacts, count); });
-  compare_batches<float, limitcurve_contacts_float>(FloatBatch(FloatTable::build(hertz(), 1e-6), {}), [&](const auto* contacts) {
-    return limitcurve_batch_step_float(float_batch, contacts, count);
+  compare_batches<double, limitcurve_contacts>(Batch(Table::build(hertz(), 1e-8), {}), [&](const auto* contacts) {
+    return limitcurve_batch_step(batch, contacts, count);
   });
+  compare_batches<float, limitcurve_contacts_float>(
+      FloatBatch(FloatTable::build(hertz(), 1e-6), {}),
+      [&](const auto* contacts) { return limitcurve_batch_step_float(float_batch, contacts, count); });
   limitcurve_batch_free(float_batch);
   limitcurve_batch_free(batch);
   limitcurve_table_free(table);

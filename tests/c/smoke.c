@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The C interface from C99: every kind of handle is made, used and freed, and every error is a status with a line that says why. */
+/* The C interface from C99: every kind of handle is made, used and freed, and every error is a status with a line that
+ * says why. */
 #include "limitcurve.h"
 
 #include <float.h>
@@ -39,7 +40,8 @@ static void laws_and_tables(void) {
   double table_force, table_moment, gauge;
   CHECK(limitcurve_table_evaluate(table, cors + 1, 1, &table_force, &table_moment) == LIMITCURVE_OK);
   CHECK(fabs(table_force - forces[1]) <= error && fabs(table_moment - moments[1]) <= error);
-  CHECK(limitcurve_table_gauge(table, &table_force, &table_moment, 1, &gauge) == LIMITCURVE_OK && fabs(gauge - 1) < 1e-12);
+  CHECK(limitcurve_table_gauge(table, &table_force, &table_moment, 1, &gauge) == LIMITCURVE_OK &&
+        fabs(gauge - 1) < 1e-12);
 
   limitcurve_table* again = NULL;
   const char* csv = limitcurve_table_csv(table);
@@ -67,7 +69,8 @@ static void fingers(void) {
   limitcurve_finger_parameters parameters = limitcurve_finger_defaults();
   parameters.mu = 0.6;
   parameters.radius_law = "constant:a=0.006";
-  CHECK(limitcurve_law_parse("uniform", &law) == LIMITCURVE_OK && limitcurve_table_build(law, 1e-6, &table) == LIMITCURVE_OK);
+  CHECK(limitcurve_law_parse("uniform", &law) == LIMITCURVE_OK &&
+        limitcurve_table_build(law, 1e-6, &table) == LIMITCURVE_OK);
   CHECK(limitcurve_finger_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, &finger) == LIMITCURVE_OK);
   limitcurve_contact contact = {{0, 0, 0}, {0, 0, 1}, 0.002, 0, 0};
   limitcurve_finger_output output;
@@ -80,23 +83,27 @@ static void fingers(void) {
   CHECK(output.state == LIMITCURVE_SLIP && fabs(output.force[0] + 0.6 * 2.0) < 1e-12 && isinf(output.cor));
   double device = 0, turn = 0;
   CHECK(limitcurve_device_damping_needed(&parameters, 1e-3, 1, &device, &turn) == LIMITCURVE_OK);
-  CHECK(fabs(device - 1.5e-3 * parameters.stiffness) < 1e-12 && fabs(turn - 1.5e-3 * parameters.twist_stiffness) < 1e-15);
+  CHECK(fabs(device - 1.5e-3 * parameters.stiffness) < 1e-12 &&
+        fabs(turn - 1.5e-3 * parameters.twist_stiffness) < 1e-15);
   CHECK(limitcurve_require_passive(&parameters, 1e-3, 1, 1.01 * device, 1.01 * turn) == LIMITCURVE_OK);
   CHECK(limitcurve_require_passive(&parameters, 1e-3, 2, 1.01 * device, INFINITY) == LIMITCURVE_INVALID);
   CHECK(strstr(limitcurve_error(), "a delay of 2 samples") != NULL);
   double margin = 1, hold = 0;
   CHECK(limitcurve_finger_margin(finger, &margin, &hold) == LIMITCURVE_OK && margin == 0 && fabs(hold - 2.0) < 1e-9);
   double centre[3];
-  CHECK(limitcurve_finger_centre_of_rotation(finger, centre) == LIMITCURVE_OK && !(fabs(centre[0]) < 1e9 && fabs(centre[1]) < 1e9));
+  CHECK(limitcurve_finger_centre_of_rotation(finger, centre) == LIMITCURVE_OK &&
+        !(fabs(centre[0]) < 1e9 && fabs(centre[1]) < 1e9));
   contact.depth = NAN;
-  CHECK(limitcurve_finger_update(finger, &contact, 1e-3, &output) == LIMITCURVE_OK && output.state == LIMITCURVE_STATE_INVALID);
+  CHECK(limitcurve_finger_update(finger, &contact, 1e-3, &output) == LIMITCURVE_OK &&
+        output.state == LIMITCURVE_STATE_INVALID);
   CHECK(output.fault == LIMITCURVE_FAULT_NOT_FINITE);
   CHECK(limitcurve_finger_reset(finger) == LIMITCURVE_OK);
   limitcurve_finger_free(finger);
 
   parameters.mu = -1;
   finger = NULL;
-  CHECK(limitcurve_finger_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, &finger) == LIMITCURVE_INVALID && finger == NULL);
+  CHECK(limitcurve_finger_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, &finger) == LIMITCURVE_INVALID &&
+        finger == NULL);
   CHECK(strncmp(limitcurve_error(), "mu", 2) == 0);
   parameters.mu = 0.6;
 
@@ -109,7 +116,8 @@ static void fingers(void) {
   const double twist[3] = {0.01, 0, 0};
   double wrench[3], power, bound;
   CHECK(limitcurve_patch_wrench(patch, twist, 1, wrench, &power, &bound) == LIMITCURVE_OK);
-  CHECK(fabs(wrench[0] - 1) < 1e-12 && fabs(wrench[1]) < 1e-12 && fabs(wrench[2]) < 1e-12 && fabs(power - 0.01) < 1e-14);
+  CHECK(fabs(wrench[0] - 1) < 1e-12 && fabs(wrench[1]) < 1e-12 && fabs(wrench[2]) < 1e-12 &&
+        fabs(power - 0.01) < 1e-14);
   /* An image of wide pixels is that rectangle, turning about the middle of its right edge. */
   const double pixels[4] = {1, 1, 1, 1}, turning[3] = {0, -0.01, 1};
   double of_image[3], of_rectangle[3], image_bound;
@@ -148,9 +156,11 @@ static void fingers(void) {
   held.radius_law = NULL;
   CHECK(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed) == LIMITCURVE_INVALID);
   held.mu_r = 0.6 * 0.004; /* as measured */
-  CHECK(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed) == LIMITCURVE_OK && fabs(needed[1] - 2) < 1e-5);
+  CHECK(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed) == LIMITCURVE_OK &&
+        fabs(needed[1] - 2) < 1e-5);
   needed[0] = -1;
-  CHECK(limitcurve_table_load_to_hold(table, &held, forces, bad + 3, 2, needed) == LIMITCURVE_INVALID && needed[0] == -1);
+  CHECK(limitcurve_table_load_to_hold(table, &held, forces, bad + 3, 2, needed) == LIMITCURVE_INVALID &&
+        needed[0] == -1);
   CHECK(strstr(limitcurve_error(), "moments[1]: got nan, expected a finite number") != NULL);
   limitcurve_patch_free(patch);
   limitcurve_finger_free(finger);
@@ -158,7 +168,8 @@ static void fingers(void) {
   limitcurve_limits limits = {1.2, 0.006, 1.2, 0.006, 1000 / 0.04, 1, 1};
   limitcurve_memory memory = {0, 0, 0, 0};
   limitcurve_friction friction;
-  CHECK(limitcurve_apply_friction(table, LIMITCURVE_CLOSEST_POINT, &limits, 2.4, 0, &memory, &friction) == LIMITCURVE_OK);
+  CHECK(limitcurve_apply_friction(table, LIMITCURVE_CLOSEST_POINT, &limits, 2.4, 0, &memory, &friction) ==
+        LIMITCURVE_OK);
   CHECK(friction.slips && fabs(friction.force_fraction - 0.5) < 1e-12 && memory.force_slides);
 
   limitcurve_table_free(table);
@@ -205,7 +216,8 @@ static void fits(void) {
   CHECK(limitcurve_fit_estimate(fit, 2, NULL, NULL, NULL, NULL) == LIMITCURVE_INVALID);
   limitcurve_fit_free(fit);
   fit = NULL;
-  CHECK(limitcurve_fit_slips("elipse", loads, radii, radii, NULL, NULL, 8, NULL, 0, &fit) == LIMITCURVE_INVALID && fit == NULL);
+  CHECK(limitcurve_fit_slips("elipse", loads, radii, radii, NULL, NULL, 8, NULL, 0, &fit) == LIMITCURVE_INVALID &&
+        fit == NULL);
   CHECK(strstr(limitcurve_error(), "elipse") != NULL);
 }
 

@@ -19,8 +19,14 @@ PROGRESS = re.compile(r"(?m)^limitcurve: [a-z-]+: (\d+ %, )?\d+ s\n")
 
 
 def run(*arguments, **options):
-    """The finished process, with its texts, but for lines of progress. A test that fits is skipped where the executable cannot."""
-    done = subprocess.run([EXECUTABLE, *map(str, arguments)], capture_output=True, text=True, timeout=600, check=False, **options)
+    """The finished process, with its texts, but for lines of progress. A test that fits is skipped where the executable
+    cannot."""
+    done = subprocess.run([EXECUTABLE, *map(str, arguments)],
+                          capture_output=True,
+                          text=True,
+                          timeout=600,
+                          check=False,
+                          **options)
     if "subcommand 'fit' is not in this executable" in done.stderr:
         raise unittest.SkipTest("without Ceres")
     done.stderr = PROGRESS.sub("", done.stderr)
@@ -28,11 +34,16 @@ def run(*arguments, **options):
 
 
 def rows(*arguments, remark=""):
-    """The rows of a successful call, as dictionaries with converted numbers. Standard error may only have the remark, or ask for a unit (test_units.py)."""
+    """The rows of a successful call, as dictionaries with converted numbers. Standard error may only have the remark,
+    or ask for a unit (test_units.py)."""
     done = run(*arguments)
     if done.returncode != 0 or (remark not in done.stderr if remark else UNIT_QUESTION.sub("", done.stderr)):
         raise AssertionError(f"{arguments}: exit {done.returncode}, {done.stderr}")
-    return [{name: number_or_text(value) for name, value in row.items()} for row in csv.DictReader(io.StringIO(done.stdout))]
+    return [{
+        name: number_or_text(value)
+        for name, value in row.items()
+    }
+            for row in csv.DictReader(io.StringIO(done.stdout))]
 
 
 def header(*arguments):
@@ -79,4 +90,5 @@ class CommandLineTest(unittest.TestCase):
             self.assertIn(text, done.stderr, context)
 
     def assert_close(self, value, expected, relative, context=""):
-        self.assertLessEqual(abs(value - expected), relative * abs(expected), f"{value!r}, expected {expected!r} {context}")
+        self.assertLessEqual(abs(value - expected), relative * abs(expected),
+                             f"{value!r}, expected {expected!r} {context}")

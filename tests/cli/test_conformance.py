@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Questions that every interface answers alike (data/conformance.csv): here the command and the exported header in C."""
+"""Questions that every interface answers alike (data/conformance.csv): here the command and the exported header in
+C."""
 
 import csv
 import math
@@ -34,7 +35,8 @@ def questions():
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             words = row["arguments"].split()
             radius = next((word for word in words if ":" in word), "")
-            result[row["law"]].append((row["quantity"], radius, [float(word) for word in words if word != radius], [float(x) for x in row["answer"].split()]))
+            result[row["law"]].append((row["quantity"], radius, [float(word) for word in words if word != radius],
+                                       [float(x) for x in row["answer"].split()]))
     return result
 
 
@@ -56,13 +58,17 @@ class Questions(CommandLineTest):
         self.of_header("hertz", questions()["hertz"], "float", 2e-6, 2.0**-149, 2.0**128)
 
     def of_header(self, law, asked, real, tolerance, least, most):
-        rows("table", "--law", law, "--tolerance", tolerance / 2, "--name", "t", "--real", real, "-o", self.directory / "t.h")
+        rows("table", "--law", law, "--tolerance", tolerance / 2, "--name", "t", "--real", real, "-o",
+             self.directory / "t.h")
         self.file("ask.c", ASK)
-        subprocess.run(["cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-DREAL=" + real, "ask.c", "-o", "ask"], cwd=self.directory, check=True)
+        subprocess.run(["cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-DREAL=" + real, "ask.c", "-o", "ask"],
+                       cwd=self.directory,
+                       check=True)
         asked = [question for question in asked if question[0] in ("wrench", "gauge", "closest")
                  and not any(0 < abs(x) < least or most <= abs(x) < math.inf for x in question[2])]
         lines = "".join(f"{what} {' '.join(map(repr, [*of, 1.0][:3]))}\n" for what, _, of, _ in asked)
-        answers = subprocess.run([self.directory / "ask"], input=lines, capture_output=True, text=True, check=True).stdout.splitlines()
+        answers = subprocess.run([self.directory / "ask"], input=lines, capture_output=True, text=True,
+                                 check=True).stdout.splitlines()
         self.assertEqual(len(answers), len(asked))
         ratio = rows("eval", "--law", law, "--c", 0)[0]["moment"]
         for question, line in zip(asked, answers):
@@ -83,7 +89,8 @@ class Questions(CommandLineTest):
                     continue
                 force, moment = map(repr, of[-2:])
                 self.assert_fails(2, "number", "hold", *words, f"--force={force}", f"--moment={moment}")
-                self.assert_fails(2, ["x.csv:2:", "number"], "hold", *words, "--data", self.file("x.csv", f"force,moment\n{force},{moment}\n"))
+                self.assert_fails(2, ["x.csv:2:", "number"], "hold", *words, "--data",
+                                  self.file("x.csv", f"force,moment\n{force},{moment}\n"))
         for words, asked in contacts.items():
             lines = "".join(",".join(map(repr, numbers)) + "\n" for _, numbers in asked)
             found = rows("hold", *words, "--data", self.file("x.csv", "load,force,moment\n" + lines))
@@ -91,20 +98,27 @@ class Questions(CommandLineTest):
                 self.check(question, [row["hold_load" if question[0] == "hold" else "margin"]], 1e-11)
 
     def test_points_of_other_code(self):
-        """Wrenches are points of the curve with their slips' centres of rotation, at the ends, too; gauges are their distances from it."""
+        """Wrenches are points of the curve with their slips' centres of rotation, at the ends, too; gauges are their
+        distances from it."""
         for law, asked in questions().items():
-            slips = [(of, answer) for what, _, of, answer in asked if what == "wrench" and math.isfinite(sum(answer)) and any(answer)]
+            slips = [(of, answer)
+                     for what, _, of, answer in asked
+                     if what == "wrench" and math.isfinite(sum(answer)) and any(answer)]
             lines = "".join(f"{f!r},{m!r},{v / w if w else math.copysign(math.inf, v)!r}\n" for (v, w), (f, m) in slips)
             row, = rows("validate", "--law", law, "--points", self.file("p.csv", "force,moment,c\n" + lines))
             self.assertLess(max(row["max_error"], row["max_cor_error"]), 1e-9, (law, row))
             far = [(of, answer[0] - 1) for what, _, of, answer in asked if what == "gauge" and 1e-3 < answer[0] < 1e3]
-            row, = rows("validate", "--law", law, "--points", self.file("p.csv", "force,moment\n" + "".join(f"{f!r},{m!r}\n" for (f, m), _ in far)))
-            self.check(("rms_error", law, far, [math.sqrt(sum(error**2 for _, error in far) / len(far))]), [row["rms_error"]], 1e-9)
+            row, = rows("validate", "--law", law, "--points",
+                        self.file("p.csv", "force,moment\n" +"".join(f"{f!r},{m!r}\n" for (f, m), _ in far)))
+            self.check(("rms_error", law, far, [math.sqrt(sum(error ** 2 for _, error in far) / len(far))]),
+                       [row["rms_error"]], 1e-9)
 
     def test_eval_and_lookup_take_any_sign(self):
         rows("table", "--law", "hertz", "--tolerance", 1e-9, "-o", self.directory / "t.csv")
-        for words in (["eval", "--law", "hertz"], ["eval", "--law", "hertz", "--method", "ring"], ["lookup", "--table", self.directory / "t.csv"]):
-            positive, negative = (run(*words, "--c=" + c).stdout.replace("-", "") for c in ("0.5,2,inf", "-0.5,-2,-inf"))
+        for words in (["eval", "--law", "hertz"], ["eval", "--law", "hertz", "--method",
+                                                   "ring"], ["lookup", "--table", self.directory / "t.csv"]):
+            positive, negative = (run(*words, "--c=" + c).stdout.replace("-", "")
+                                  for c in ("0.5,2,inf", "-0.5,-2,-inf"))
             self.assertEqual(positive, negative)
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The examples of --help and of the pages of docs/ run as they stand, and the columns of cli/README.md are those of the command."""
+"""The examples of --help and of the pages of docs/ run as they stand, and the columns of cli/README.md are those of the
+command."""
 
 import re
 import shlex
@@ -48,7 +49,9 @@ class Examples(CommandLineTest):
             self.succeed(line)
 
     def test_the_columns_of_the_contract(self):
-        contract = dict(re.findall(r"^\| `([a-z-]+)` \|[^|]+\| `([a-z_,]+)` \|$", (ROOT / "cli" / "README.md").read_text(encoding="utf-8"), re.M))
+        contract = dict(
+            re.findall(r"^\| `([a-z-]+)` \|[^|]+\| `([a-z_,]+)` \|$",
+                       (ROOT / "cli" / "README.md").read_text(encoding="utf-8"), re.M))
         self.assertEqual(set(contract), set(subcommands()))
         for name, columns in contract.items():
             arguments = [word.replace("data/", f"{DATA}/") for word in example(name)[1:]]

@@ -14,7 +14,8 @@ class Fit(CommandLineTest):
     def slips(self, law, mu=0.7, radius=0.005, noise=0.0):
         """Points of the exact curves at three loads, from a sensor with this relative noise."""
         generator = random.Random(1997)
-        points = rows("p-curves", "--law", law, "--radius-law", f"constant:a={radius}", "--mu", mu, "--loads", "1,2,5", "--points", "15")
+        points = rows("p-curves", "--law", law, "--radius-law", f"constant:a={radius}", "--mu", mu, "--loads", "1,2,5",
+                      "--points", "15")
         lines = ["load,force,moment"]
         for row in points:
             force, moment = (row[name] * (1 + noise * generator.gauss(0, 1)) for name in ("force", "moment"))
@@ -28,7 +29,8 @@ class Fit(CommandLineTest):
         self.assertEqual(lines[0], ["parameter", "value", "std_error", "unit", "note"])
         return {name: float(value) for name, value, *_ in lines[1:]}, done.stderr
 
-    # Table 1's claim that mu_r/mu_l does not depend on the material: its deviations are of single measurements, and it does not say how many.
+    # Table 1's claim that mu_r/mu_l does not depend on the material: its deviations are of single measurements, and it
+    # does not say how many.
     def test_what_a_standard_deviation_can_tell(self):
         table = [(7.39, 0.91), (6.37, 0.88), (6.20, 1.54)]
         weights = [1 / sd**2 for _, sd in table]
@@ -45,7 +47,10 @@ class Fit(CommandLineTest):
         self.assert_close(found["n_for_p_0.05"]["value"], -2 * math.log(0.05) / chi_squared, 1e-12)
         for n, p in [(1, 0.67), (8, 0.04), (10, 0.02)]:
             text = "ratio,ratio_sd,n\n" + "".join(f"{1e-3 * ratio!r},{1e-3 * sd!r},{n}\n" for ratio, sd in table)
-            told = {row["parameter"]: row for row in rows("fit", "ratio", "--quiet", "--data", self.file("n.csv", text))}
+            told = {
+                row["parameter"]: row
+                for row in rows("fit", "ratio", "--quiet", "--data", self.file("n.csv", text))
+            }
             self.assertEqual(list(told), ["ratio", "radius", "chi_squared", "degrees_of_freedom", "p_value"])
             self.assert_close(told["ratio"]["std_error"], 1e-3 / math.sqrt(n * sum(weights)), 1e-14)
             self.assert_close(told["p_value"]["value"], math.exp(-n * chi_squared / 2), 1e-12)
@@ -74,20 +79,45 @@ class Fit(CommandLineTest):
         lines = [line for line in Path(source).read_text().splitlines() if not line.startswith("#")]
         columns = lines[0].split(",")
         text = [",".join(names.get(name, name) for name in columns)]
-        text += [",".join(repr(float(cell) * factors[name]) if name in factors else cell for name, cell in zip(columns, line.split(","))) for line in lines[1:]]
+        text += [
+            ",".join(
+                repr(float(cell) * factors[name]) if name in factors else cell
+                for name, cell in zip(columns, line.split(",")))
+            for line in lines[1:]
+        ]
         return self.file("renamed.csv", "\n".join(text) + "\n")
 
     def test_columns_and_units_of_the_file(self):
         tripod = ["--patch", f"points:{DATA}/measured/tripod_hardboard_a_points.csv"]
         deg = 180 / math.pi
-        for model, source, factors, units in (
-                ([model, *more], source, factors, units) for models, source, factors, units in (
-                    (("ratio", "law", "ellipse"), "fit/slips.csv", {"load": 1e3, "force": 1e3, "moment": 1e3, "sigma_force": 1e3, "sigma_moment": 1e3},
-                     "force=mN,moment=Nmm"),
-                    (("load",), "fit/radii.csv", {"radius": 1e3, "sigma_radius": 1e3}, "length=mm"),
-                    (("ratio",), "materials.csv", {"ratio": 100, "ratio_sd": 100}, "length=cm"),
-                    (("friction",), "measured/tripod_hardboard_a.csv", {"moment": 100, "dx": 1e3, "dy": 1e3, "dtheta": deg},
-                     "length=mm,moment=Ncm,angle=deg")) for model in models for more in [tripod if model == "friction" else []]):
+        for model, source, factors, units in (([model, *more], source, factors, units)
+                                              for models, source, factors, units in ((("ratio", "law", "ellipse"),
+                                                                                      "fit/slips.csv", {
+                                                                                          "load": 1e3,
+                                                                                          "force": 1e3,
+                                                                                          "moment": 1e3,
+                                                                                          "sigma_force": 1e3,
+                                                                                          "sigma_moment": 1e3
+                                                                                      }, "force=mN,moment=Nmm"),
+                                                                                     (("load", ), "fit/radii.csv", {
+                                                                                         "radius": 1e3,
+                                                                                         "sigma_radius": 1e3
+                                                                                     }, "length=mm"),
+                                                                                     (("ratio", ), "materials.csv", {
+                                                                                         "ratio": 100,
+                                                                                         "ratio_sd": 100
+                                                                                     }, "length=cm"),
+                                                                                     (("friction", ),
+                                                                                      "measured/tripod_hardboard_a.csv",
+                                                                                      {
+                                                                                          "moment": 100,
+                                                                                          "dx": 1e3,
+                                                                                          "dy": 1e3,
+                                                                                          "dtheta": deg
+                                                                                      },
+                                                                                      "length=mm,moment=Ncm,angle=deg"))
+                                              for model in models
+                                              for more in [tripod if model == "friction" else []]):
             own = rows("fit", *model, "--quiet", "--data", DATA / source)
             names = {name: "Raw " + name.upper() for name in factors}
             other = self.renamed(DATA / source, names, factors)
@@ -102,15 +132,17 @@ class Fit(CommandLineTest):
     def test_columns_and_units_that_are_wrong(self):
         slips = DATA / "fit" / "slips.csv"
         call = ["fit", "ratio", "--data", slips]
-        self.assert_fails(2, ["--columns", "'weight'", "expected one of load,force,moment"], *call, "--columns", "weight=Fz")
+        self.assert_fails(2, ["--columns", "'weight'", "expected one of load,force,moment"], *call, "--columns",
+                          "weight=Fz")
         self.assert_fails(2, ["slips.csv", "no column 'Fz'"], *call, "--columns", "load=Fz")
         idle = ["--law", "hertz", "--criterion", "inner", "--load-model", "hertz", "--largest-radius", "0.01"]
         self.assertIn("warning: --law, --criterion, --load-model, --largest-radius: without effect on fit ellipse\n",
                       run("fit", "ellipse", "--data", slips, *idle).stderr)
         after = self.file("after.csv", "sensor 7\n" + slips.read_text())
-        self.assertEqual(rows("fit", "ratio", "--quiet", "--data", after), rows("fit", "ratio", "--quiet", "--data", slips))
-        for listed, said in (("load=-", "no column ''"), ("force=moment:", "no column ''"), ("force=moment:moment", "each column once"),
-                             ("load=load,load=force", "got two")):
+        self.assertEqual(rows("fit", "ratio", "--quiet", "--data", after),
+                         rows("fit", "ratio", "--quiet", "--data", slips))
+        for listed, said in (("load=-", "no column ''"), ("force=moment:", "no column ''"),
+                             ("force=moment:moment", "each column once"), ("load=load,load=force", "got two")):
             self.assert_fails(2, said, *call, "--columns", listed)
         self.assert_fails(2, "got two", *call, "--units", "force=N,force=mN")
         self.assert_fails(2, ["slips.csv", "no column 'sd'"], *call, "--columns", "sigma_force=sd")
@@ -124,9 +156,10 @@ class Fit(CommandLineTest):
         self.assert_fails(2, ["torn.csv:2:1: column 'Fz'"], "fit", "ratio", "--data", torn, "--columns", "load=Fz")
 
     def test_ratios_that_say_nothing(self):
-        for text, told in [("ratio,ratio_sd\n0.006,0.001\n", "two"), ("ratio\n0.006\n0.007\n", "ratio_sd"), ("mu\n1\n", "load"),
-                           ("ratio,ratio_sd\n0.006,0\n0.006,1\n", "ratios.csv:2:7"), ("ratio,ratio_sd\n-1,1\n", "ratios.csv:2:1"),
-                           ("ratio,ratio_sd\n1,nan\n", "ratios.csv:2:3"), ("ratio,ratio_sd,n\n1,1,0\n", "ratios.csv:2:5"),
+        for text, told in [("ratio,ratio_sd\n0.006,0.001\n", "two"), ("ratio\n0.006\n0.007\n", "ratio_sd"),
+                           ("mu\n1\n", "load"), ("ratio,ratio_sd\n0.006,0\n0.006,1\n", "ratios.csv:2:7"),
+                           ("ratio,ratio_sd\n-1,1\n", "ratios.csv:2:1"), ("ratio,ratio_sd\n1,nan\n", "ratios.csv:2:3"),
+                           ("ratio,ratio_sd,n\n1,1,0\n", "ratios.csv:2:5"),
                            ("ratio,ratio_sd,n\n1,1,0.5\n1,1,2\n", "n = 0.5")]:
             self.assert_fails(2, told, "fit", "ratio", "--quiet", "--data", self.file("ratios.csv", text))
         self.assert_fails(2, "--loss", "fit", "ratio", "--loss", "cauchy", "--data", DATA / "materials.csv")
@@ -136,15 +169,18 @@ class Fit(CommandLineTest):
 
     def test_too_few_slips_say_what_is_missing(self):
         two = self.file("two.csv", "load,force,moment\n1,0.6,0\n1,0,0.003\n")
-        self.assert_fails(2, ["mu, mu_r", "3 samples, or 2 with the columns sigma_force and sigma_moment"], "fit", "ratio", "--data", two)
-        sure = self.file("sure.csv", "load,force,moment,sigma_force,sigma_moment\n1,0.6,0,0.01,1e-5\n1,0,0.003,0.01,1e-5\n")
+        self.assert_fails(2, ["mu, mu_r", "3 samples, or 2 with the columns sigma_force and sigma_moment"], "fit",
+                          "ratio", "--data", two)
+        sure = self.file("sure.csv",
+                         "load,force,moment,sigma_force,sigma_moment\n1,0.6,0,0.01,1e-5\n1,0,0.003,0.01,1e-5\n")
         self.assertAlmostEqual(self.fitted("ratio", "--data", sure)[0]["mu_r"], 0.003, delta=1e-9)
         loads = self.file("loads.csv", "load,radius\n1,0.002\n2,0.0024\n")
         self.assert_fails(2, ["gamma", "3 samples"], "fit", "load", "--data", loads)
 
     def test_a_fit_to_a_curve_has_no_standard_errors(self):
         for criterion in ["least-squares", "minimax", "inner"]:
-            for line in run("fit", "ellipse", "--law", "hertz", "--criterion", criterion, "--quiet").stdout.splitlines()[1:]:
+            for line in run("fit", "ellipse", "--law", "hertz", "--criterion", criterion,
+                            "--quiet").stdout.splitlines()[1:]:
                 self.assertEqual(line.split(",")[2], "", line)
 
     def test_columns(self):
@@ -178,7 +214,9 @@ class Fit(CommandLineTest):
     def growing(self, law):
         points = rows("c-curves", "--law", law, "--radius-law", "power:c=0.00435,gamma=0.257", "--mu", "0.7", "--cors",
                       "0.0005,0.001,0.002,0.003,0.005,0.007,0.01,0.02", "--loads", "0.5,1,1.5,2,3,4,5,6,8,10")
-        return self.file("growing.csv", "load,force,moment\n" + "".join(f"{r['load']!r},{r['force']!r},{r['moment']!r}\n" for r in points))
+        return self.file(
+            "growing.csv",
+            "load,force,moment\n" +"".join(f"{r['load']!r},{r['force']!r},{r['moment']!r}\n" for r in points))
 
     def test_gross_outliers_are_named_by_row_under_every_loss(self):
         lines = self.slips("hertz", noise=0.01).read_text().splitlines()
@@ -193,20 +231,27 @@ class Fit(CommandLineTest):
 
     def test_every_row_notes_the_model_and_what_was_assumed(self):
         data = self.growing("uniform")
-        pushes = self.file("pushes.csv", "force_x,force_y,moment,dx,dy,dtheta\n" + "0.5,0,0,0.01,0,0\n0.6,0,0,0.01,0,0\n0.55,0,0,0.01,0,0\n")
+        pushes = self.file(
+            "pushes.csv",
+            "force_x,force_y,moment,dx,dy,dtheta\n" + "0.5,0,0,0.01,0,0\n0.6,0,0,0.01,0,0\n0.55,0,0,0.01,0,0\n")
         square = ["friction", "--patch", "rectangle:x=0.1,y=0.1", "--data", pushes]
-        for call, noted in [(["ellipse", "--law", "hertz"], "least-squares to the exact curve of hertz"),
-                            (square, "rectangle:x=0.1,y=0.1; few rows: a 95 % interval is +- 4.3 std_error"),
-                            (["ratio", "--data", data, "--gamma", "0.257"], "hertz; gamma = 0.257 assumed; squared loss; errors proportional to the load assumed"),
-                            (["law", "--data", data, "--fit-gamma", "--loss", "huber"],
-                             "uniform (best of 8 laws by AICc; the errors include the choice, but for n and k); gamma fitted; huber loss; errors proportional to the load assumed")]:
+        for call, noted in [
+            (["ellipse", "--law", "hertz"], "least-squares to the exact curve of hertz"),
+            (square, "rectangle:x=0.1,y=0.1; few rows: a 95 % interval is +- 4.3 std_error"),
+            (["ratio", "--data", data, "--gamma",
+              "0.257"], "hertz; gamma = 0.257 assumed; squared loss; errors proportional to the load assumed"),
+            (["law", "--data", data, "--fit-gamma", "--loss", "huber"],
+             "uniform (best of 8 laws by AICc; the errors include the choice, but for n and k); gamma fitted; huber loss; errors proportional to the load assumed"
+             )
+        ]:
             self.assertEqual({row["note"] for row in rows("fit", *call, "--quiet")}, {noted})
 
     def test_what_is_said_to_be_typed_can_be_typed(self):
         """The largest moment of a replay with the options given is that of the data."""
         data = self.growing("uniform")
         trace = self.file("twist.csv", "time,x,y,z,twist\n" + "".join(f"{i},0,0,-0.004,{i}\n" for i in range(7)))
-        for call in (["law", "--fit-gamma"], ["law", "--law", "uniform", "--gamma", "0.257"], ["ellipse", "--fit-gamma"]):
+        for call in (["law", "--fit-gamma"], ["law", "--law", "uniform", "--gamma",
+                                              "0.257"], ["ellipse", "--fit-gamma"]):
             said = self.fitted(*call, "--data", data)[1]
             self.assertRegex(said.splitlines()[-1], r"\.mu = 0\.\d+, \.mu_r = 0\.\d+, \.gamma = 0\.2")
             typed = said.splitlines()[-1].split("for replay: ")[1].split(";")[0].split()
@@ -215,30 +260,43 @@ class Fit(CommandLineTest):
             self.assert_close(end["moment"], -0.7 * 2 / 3 * 4 * 0.00435 * 4 ** 0.257, 5e-6 if "law" in call else 0.05)
         own = self.file("my law.csv", "radius,pressure\n" + "".join(f"{i / 20},1\n" for i in range(21)))
         # The whole line: each row is a slip, so that it holds up to the scatter.
-        for call, slips in ((["ellipse"], DATA / "fit" / "slips.csv"), (["law", "--law", "uniform", "--gamma", "0.257"], data),
-                           (["law", "--law", "uniform", "--fit-gamma", "--columns", "load=F'z", "--units", "force=N"], self.renamed(data, {"load": "F'z"}, {})),
-                           (["law", "--law", f"samples:{own}", "--gamma", "0.257"], self.file("it's a $file.csv", data.read_text()))):
-            line, = (line for line in self.fitted(*call, "--data", slips)[1].splitlines() if "for the load that" in line)
+        for call, slips in ((["ellipse"], DATA / "fit" / "slips.csv"), (["law", "--law", "uniform", "--gamma",
+                                                                         "0.257"], data),
+                            (["law", "--law", "uniform", "--fit-gamma", "--columns", "load=F'z", "--units",
+                              "force=N"], self.renamed(data, {"load": "F'z"},
+                                                       {})), (["law", "--law", f"samples:{own}", "--gamma",
+                                                               "0.257"], self.file("it's a $file.csv",
+                                                                                   data.read_text()))):
+            line, = (line for line in self.fitted(*call, "--data", slips)[1].splitlines()
+                     if "for the load that" in line)
             command, *typed = shlex.split(line[line.index("limitcurve hold"):])
             margins = [row["margin"] for row in rows(*typed)]
             self.assertEqual(command, "limitcurve")
             self.assertLess(sum(margins) / len(margins), 0.1, call)
-        self.assertIn("no parameters suggested: the data reject this model; add --fit-gamma\n", self.fitted("law", "--law", "uniform", "--data", data)[1])
+        self.assertIn("no parameters suggested: the data reject this model; add --fit-gamma\n",
+                      self.fitted("law", "--law", "uniform", "--data", data)[1])
         radii = self.file("radii.csv", "load,radius\n1,0.002\n2,0.0023\n5,0.0028\n")
         typed = self.fitted("load", "--data", radii)[1].splitlines()[-1].split("for replay: ")[1].split(";")[0].split()
-        self.assertEqual(rows("replay", "--trace", trace, "--law", "hertz", "--mu", "0.5", *typed, "--stiffness", "1000", "--twist-stiffness", "0.04")[-1]["state"], "slip")
+        self.assertEqual(
+            rows("replay", "--trace", trace, "--law", "hertz", "--mu", "0.5", *typed, "--stiffness", "1000",
+                 "--twist-stiffness", "0.04")[-1]["state"], "slip")
 
     def test_residuals_are_distances_in_standard_deviations(self):
         """Slips on the curve, but for one that is 7 standard deviations outside and one that is 4 inside."""
         text = self.slips("hertz").read_text().splitlines()
-        slips = [f"{line},0.002,1e-5" for line in text[1:]] + ["2,1.414,0,0.002,1e-5", f"2,0,{1.4 * 0.005 * 3 * math.pi / 16 - 4e-5!r},0.002,1e-5"]
+        slips = [f"{line},0.002,1e-5" for line in text[1:]
+                 ] + ["2,1.414,0,0.002,1e-5", f"2,0,{1.4 * 0.005 * 3 * math.pi / 16 - 4e-5!r},0.002,1e-5"]
         data = self.file("slips.csv", "\n".join([text[0] + ",sigma_force,sigma_moment", *slips]) + "\n")
         for model in (["law", "--law", "hertz"], ["law"]):
-            found = [row["residual"] for row in rows("fit", *model, "--data", data, "--loss", "cauchy", "--quiet", "--residuals")]
+            found = [
+                row["residual"]
+                for row in rows("fit", *model, "--data", data, "--loss", "cauchy", "--quiet", "--residuals")
+            ]
             self.assertEqual(len(found), len(slips))
             for residual, expected in zip(found, [0] * (len(slips) - 2) + [7, -4]):
                 self.assertAlmostEqual(residual, expected, delta=0.25)
-        for model, call in [("load", ["--data", data]), ("ratio", ["--data", data]), ("friction", ["--data", data, "--patch", "rectangle:x=1,y=1"]),
+        for model, call in [("load", ["--data", data]), ("ratio", ["--data", data]),
+                            ("friction", ["--data", data, "--patch", "rectangle:x=1,y=1"]),
                             ("ellipse", ["--law", "hertz"])]:
             self.assert_fails(2, ["--residuals", "--data", f"fit {model}"], "fit", model, "--residuals", *call)
 
@@ -263,7 +321,8 @@ class Fit(CommandLineTest):
             ("load,force,moment,sigma_force,sigma_moment\n1,1,1,0.1,0\n", "bad.csv:2:11: column 'sigma_moment'"),
         ]:
             self.assert_fails(2, told, "fit", "ellipse", "--data", self.file("bad.csv", text))
-        self.assert_fails(2, "radius and moment", "fit", "load", "--data", self.file("bad.csv", "load,radius,moment\n1,1,1\n"))
+        self.assert_fails(2, "radius and moment", "fit", "load", "--data",
+                          self.file("bad.csv", "load,radius,moment\n1,1,1\n"))
         self.assert_fails(2, "radius and moment", "fit", "load", "--data", self.file("bad.csv", "load,force\n1,1\n"))
 
     def test_what_the_data_cannot_tell(self):

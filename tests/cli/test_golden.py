@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What replay and pivot gave when it was recorded, they give still: data/golden.txt, to 1e-9 of the largest magnitude of a column in its case.
+"""What replay and pivot gave when it was recorded, they give still: data/golden.txt, to 1e-9 of the largest magnitude
+of a column in its case.
 
     LIMITCURVE=EXECUTABLE LIMITCURVE_DATA=data tests/cli/test_golden.py --record 'plane/*'
 
-records the cases of these names again, the same columns and rows. A new case begins as the line `case NAME: ARGUMENTS`, a line of columns that begins with
-`row`, and lines that hold the numbers of rows.
+records the cases of these names again, the same columns and rows. A new case begins as the line `case NAME: ARGUMENTS`,
+a line of columns that begins with `row`, and lines that hold the numbers of rows.
 """
 
 import csv
@@ -18,8 +19,15 @@ from command_line import DATA, number_or_text, run
 FILE = DATA / "golden.txt"
 TOLERANCE = 1e-9
 # Below these magnitudes a column is only rounding [m, rad, N, N m]; other columns have no unit.
-FLOORS = {**dict.fromkeys(["px", "py", "pz", "depth", "bx", "by", "bz", "x", "y", "grip_slip"], 1e-3), "angle": 1e-2, "moment": 1e-5, "friction_moment": 1e-5,
-          **dict.fromkeys(["fx", "fy", "fz", "load", "friction_force"], 1e-2), "r": 1e-5, "trial_r": 1e-5, "rho": 1e-4, "trial_rho": 1e-4}
+FLOORS = {
+    **dict.fromkeys(["px", "py", "pz", "depth", "bx", "by", "bz", "x", "y", "grip_slip"], 1e-3), "angle": 1e-2,
+    "moment": 1e-5,
+    "friction_moment": 1e-5,
+    **dict.fromkeys(["fx", "fy", "fz", "load", "friction_force"], 1e-2), "r": 1e-5,
+    "trial_r": 1e-5,
+    "rho": 1e-4,
+    "trial_rho": 1e-4
+}
 
 
 def read_cases():
@@ -48,8 +56,11 @@ def differences(column, expected, found):
     expected, found = [list(map(number_or_text, cells)) for cells in (expected, found)]
     kind = column.rstrip("0123456789")
     if kind == "cor":  # a centre of rotation at c is as good as a wrench at c/(c + a)
-        expected, found = [[1.0 if cell == math.inf else cell / (cell + 0.005) for cell in cells] for cells in (expected, found)]
-    scale = max([FLOORS.get(kind, 1.0), *(abs(cell) for cell in expected if not isinstance(cell, str) and math.isfinite(cell))])
+        expected, found = [[1.0 if cell == math.inf else cell / (cell + 0.005)
+                            for cell in cells]
+                           for cells in (expected, found)]
+    scale = max(
+        [FLOORS.get(kind, 1.0), *(abs(cell) for cell in expected if not isinstance(cell, str) and math.isfinite(cell))])
     for one, other in zip(expected, found):
         same = isinstance(one, str) or isinstance(other, str) or math.isnan(one) or math.isnan(other)
         yield (0.0 if str(one) == str(other) else math.inf) if same else abs(one - other) / (TOLERANCE * scale)
@@ -64,16 +75,23 @@ class Recorded(unittest.TestCase):
                 rows = [line.split(",")[1:] for line in case[2:]]
                 for column, expected, found in zip(case[1].split(",")[1:], zip(*rows), zip(*output(case))):
                     for line, one, other, off in zip(case[2:], expected, found, differences(column, expected, found)):
-                        self.assertLessEqual(off, 1.0, f"row {line.split(',')[0]}, {column}: expected {one}, got {other}, off by so many tolerances")
+                        self.assertLessEqual(
+                            off, 1.0,
+                            f"row {line.split(',')[0]}, {column}: expected {one}, got {other}, off by so many tolerances"
+                        )
 
 
 def record(patterns):
     cases = read_cases()
     names = [name for name in cases if any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)]
     for name in names:
-        found = [[f"{value:.12g}" if isinstance(value, float) else value for value in map(number_or_text, row)] for row in output(cases[name])]
+        found = [[f"{value:.12g}" if isinstance(value, float) else value
+                  for value in map(number_or_text, row)]
+                 for row in output(cases[name])]
         cases[name][2:] = [",".join([line.split(",")[0], *row]) for line, row in zip(cases[name][2:], found)]
-    FILE.write_text("\n".join([FILE.read_text().split("\n", 1)[0], *(f"\ncase {name}: " + "\n".join(case) for name, case in cases.items())]) + "\n")
+    FILE.write_text("\n".join(
+        [FILE.read_text().split("\n", 1)[0], *(f"\ncase {name}: " + "\n".join(case)
+                                               for name, case in cases.items())]) + "\n")
     print(f"{len(names)} of {len(cases)} cases recorded")
 
 

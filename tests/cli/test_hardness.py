@@ -20,8 +20,10 @@ MEGABYTE = 1 << 20
 # Of shadow memory and redzones; a sanitizer's program also reserves more than it uses.
 SANITIZED = bool(os.environ.get("LIMITCURVE_SANITIZED"))
 TABLE = ["table", "--law", "uniform", "--tolerance", "1e-14", "-o"]
-REPLAY = ["replay", "--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036",
-          "--curve", "ellipse", "--projection", "radial", "--quiet", "--trace", "-"]
+REPLAY = [
+    "replay", "--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000",
+    "--twist-stiffness", "0.036", "--curve", "ellipse", "--projection", "radial", "--quiet", "--trace", "-"
+]
 
 
 class KilledTable(CommandLineTest):
@@ -67,7 +69,8 @@ class Refused(CommandLineTest):
         """A file system of our own, where that is allowed."""
         folder = self.directory / "mounted"
         folder.mkdir()
-        if subprocess.run(["mount", "-t", "tmpfs", "-o", options, "tmpfs", folder], capture_output=True, check=False).returncode != 0:
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", options, "tmpfs", folder], capture_output=True,
+                          check=False).returncode != 0:
             self.skipTest("not allowed to mount")
         self.addCleanup(subprocess.run, ["umount", folder], check=True)
         return folder
@@ -85,7 +88,8 @@ class Refused(CommandLineTest):
     def test_a_folder_without_permission(self):
         folder, executable, options = self.directory / "locked", EXECUTABLE, {}
         if os.getuid() == 0:
-            # To root everything is permitted: be nobody, who may not enter every folder of root's. So the executable lies beside.
+            # To root everything is permitted: be nobody, who may not enter every folder of root's. So the executable
+            # lies beside.
             os.chmod(self.directory, 0o755)
             executable = shutil.copy(EXECUTABLE, self.directory)
             options = {"user": 65534, "group": 65534, "extra_groups": [], "cwd": self.directory}
@@ -94,13 +98,18 @@ class Refused(CommandLineTest):
             except (OSError, subprocess.CalledProcessError) as error:
                 self.skipTest(f"nobody may not run the executable: {error}")
         folder.mkdir(mode=0o555)
-        self.assert_refused([executable, *TABLE, str(folder / "table.csv")], ["table.csv", "Permission denied"], **options)
+        self.assert_refused([executable, *TABLE, str(folder / "table.csv")], ["table.csv", "Permission denied"],
+                            **options)
 
     def test_a_pipe_that_closes(self):
         for call in ["curve --law hertz --points 200000", "replay --trace long.csv " + " ".join(REPLAY[1:-2])]:
             (self.directory / "long.csv").write_text("time,x,y,z,twist\n" + "0,0,0,-0.001,0\n" * 50000)
-            done = subprocess.run(["bash", "-c", '"$0" "$@" | head -1; exit ${PIPESTATUS[0]}', EXECUTABLE, *call.split()], cwd=self.directory,
-                                  capture_output=True, text=True, check=False)
+            done = subprocess.run(
+                ["bash", "-c", '"$0" "$@" | head -1; exit ${PIPESTATUS[0]}', EXECUTABLE, *call.split()],
+                cwd=self.directory,
+                capture_output=True,
+                text=True,
+                check=False)
             self.assertEqual((done.returncode, done.stdout.count("\n")), (1, 1), call)
             self.assertEqual(done.stderr, "", call)
 
@@ -109,11 +118,15 @@ class Bulk(unittest.TestCase):
     """Standard input of any length, and how much memory a run takes at most."""
 
     def stream(self, arguments, header, line, megabytes):
-        """Exit status, standard error, rows fed and the largest memory [MB] of a run that is fed so much of one line."""
+        """Exit status, standard error, rows fed and the largest memory [MB] of a run that is fed so much of one
+        line."""
         block = line * (MEGABYTE // len(line))
         complaint = tempfile.TemporaryFile()
         self.addCleanup(complaint.close)
-        process = subprocess.Popen([EXECUTABLE, *arguments], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=complaint)
+        process = subprocess.Popen([EXECUTABLE, *arguments],
+                                   stdin=subprocess.PIPE,
+                                   stdout=subprocess.DEVNULL,
+                                   stderr=complaint)
 
         def feed():
             try:
@@ -133,7 +146,8 @@ class Bulk(unittest.TestCase):
         process.returncode = os.waitstatus_to_exitcode(status)
         feeder.join()
         complaint.seek(0)
-        return process.returncode, complaint.read().decode(), megabytes * (len(block) // len(line)), usage.ru_maxrss / 1024
+        return process.returncode, complaint.read().decode(), megabytes * (len(block) //
+                                                                           len(line)), usage.ru_maxrss / 1024
 
     def test_a_fit_holds_its_numbers_and_no_more(self):
         # A fit goes over its data many times, and must hold them; but not what else a row has.
@@ -146,11 +160,13 @@ class Bulk(unittest.TestCase):
         status, complaint, count, much = self.stream(fit, header, line, BULK)
         count *= 3
         self.assertEqual((status, complaint), (0, ""))
-        self.assertLess(much - little, 4 + count * 1000 / MEGABYTE * (12 if SANITIZED else 1))  # freed memory is kept back there
+        self.assertLess(much - little,
+                        4 + count * 1000 / MEGABYTE * (12 if SANITIZED else 1))  # freed memory is kept back there
         print(f"fit of {BULK} MB, {count} rows: {much:.0f} MB", file=sys.stderr)
 
     def test_what_is_no_csv_is_refused_at_its_beginning(self):
-        by_name = [["eval", "--law", "samples:/dev/stdin", "--c", "1"]] if os.path.exists("/dev/stdin") else []  # it needs /proc
+        by_name = [["eval", "--law", "samples:/dev/stdin", "--c", "1"]] if os.path.exists("/dev/stdin") else [
+        ]  # it needs /proc
         for arguments in [REPLAY, ["fit", "ratio", "--data", "-"], *by_name]:
             status, complaint, _, much = self.stream(arguments, b"", bytes(1024), BULK)
             self.assertEqual(status, 2, complaint)

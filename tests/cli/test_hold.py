@@ -21,24 +21,33 @@ class Hold(CommandLineTest):
         self.assertEqual(two, rows("hold", *CONTACT, "--mass", "0.2", "--offset", "0.02"))
         self.assert_close(two[0]["force"], 0.2 * 9.81 / 2, 1e-15)
         self.assert_close(two[0]["moment"], 0.2 * 9.81 * 0.02 / 2, 1e-15)
-        self.assertEqual(two, rows("hold", *CONTACT, "--force", repr(two[0]["force"]), "--moment", repr(two[0]["moment"])))
+        self.assertEqual(two,
+                         rows("hold", *CONTACT, "--force", repr(two[0]["force"]), "--moment", repr(two[0]["moment"])))
         moon, = rows("hold", *CONTACT, "--fingers", "3", "--mass", "0.2", "--offset", "0.02", "--gravity", "1.62")
         self.assert_close(moon["force"], 0.2 * 1.62 / 3, 1e-15)
         # The block of the paper slips where this load is passed.
-        sandpaper = ["--law", "hertz", "--radius-law", "constant:a=0.008", "--mu", "0.6", "--mass", "0.1", "--offset", "0.005"]
+        sandpaper = [
+            "--law", "hertz", "--radius-law", "constant:a=0.008", "--mu", "0.6", "--mass", "0.1", "--offset", "0.005"
+        ]
         hold = rows("hold", *sandpaper)[0]["hold_load"]
-        run_of = rows("pivot", "--case", "exact", "--law", "hertz", "--radius-law", "constant:a=0.008", "--mu", "0.6", "--mass", "0.1", "--offset", "0.005",
-                      "--release", f"from={1.2 * hold},to={0.9 * hold},over=3", "--time-step", "1e-4", "--every", "1")
+        run_of = rows("pivot", "--case", "exact", "--law", "hertz", "--radius-law", "constant:a=0.008", "--mu", "0.6",
+                      "--mass", "0.1", "--offset", "0.005", "--release", f"from={1.2 * hold},to={0.9 * hold},over=3",
+                      "--time-step", "1e-4", "--every", "1")
         slips = next(row["load"] for row in run_of if row["state"] == "slip")
         self.assertAlmostEqual(slips / hold, 1, delta=2e-3)
 
     def test_a_force_torque_log_as_it_comes(self):
         """The options are those of fit and replay, too."""
-        log = self.file("log.csv", 'Sensor 7\n\n"gain","3"\n"t","Fx","Fy","Fz","Tz"\n0,0.01,0,0.02,0\n1,0.6,-0.8,-5.1,0.002\n2,0.3,0.4,-5,0\n')
+        log = self.file(
+            "log.csv",
+            'Sensor 7\n\n"gain","3"\n"t","Fx","Fy","Fz","Tz"\n0,0.01,0,0.02,0\n1,0.6,-0.8,-5.1,0.002\n2,0.3,0.4,-5,0\n')
         columns = "load=-Fz,force=Fx:Fy,moment=Tz"
         done = run("hold", *CONTACT, "--data", log, "--columns", columns, "--least-load", "0.1")
         self.assertEqual(done.returncode, 0, done.stderr)
-        table = [dict(zip(done.stdout.splitlines()[0].split(","), map(float, line.split(",")))) for line in done.stdout.splitlines()[1:]]
+        table = [
+            dict(zip(done.stdout.splitlines()[0].split(","), map(float, line.split(","))))
+            for line in done.stdout.splitlines()[1:]
+        ]
         self.assertEqual([row["force"] for row in table], [1.0, 0.5])
         self.assertIn("the header is line 4", done.stderr)
         self.assertIn("1 of 3 rows have a load below 0.1, and are left out", done.stderr)
@@ -46,10 +55,15 @@ class Hold(CommandLineTest):
         done = run("hold", *CONTACT, "--data", log, "--columns", columns.replace(":Fy", ""), "--least-load", "0.1")
         self.assertIn("force=Fx leaves out Fy; force=Fx:Fy is their length", done.stderr)
         plain = self.file("plain.csv", log.read_text()[log.read_text().index('"t"'):])
-        for options, told in ((["--columns", columns], "expected a finite number >= 0; --columns load=-NAME turns the sign of all, --least-load 0.1"),
-                              (["--columns", columns.replace("Tz", "Tx:Tz")], "got 'moment=Tx:Tz', expected one column"),
-                              (["--columns", columns.replace("Fy", "Fq")], "no column 'Fq'"),
-                              (["--columns", columns, "--least-load", "9"], "all 3 rows have a load below 9")):
+        for options, told in (([
+                "--columns", columns
+        ], "expected a finite number >= 0; --columns load=-NAME turns the sign of all, --least-load 0.1"),
+                              (["--columns", columns.replace("Tz",
+                                                             "Tx:Tz")], "got 'moment=Tx:Tz', expected one column"),
+                              (["--columns",
+                                columns.replace("Fy",
+                                                "Fq")], "no column 'Fq'"), (["--columns", columns, "--least-load",
+                                                                             "9"], "all 3 rows have a load below 9")):
             self.assert_fails(2, told, "hold", *CONTACT, "--data", plain, *options)
         bag = self.file("log.bag", "#ROSBAG V2.0\n")
         self.assert_fails(2, "rostopic echo -b FILE.bag -p /TOPIC", "hold", *CONTACT, "--data", bag)
@@ -77,7 +91,8 @@ class Hold(CommandLineTest):
     def test_the_weight_on_a_pad(self):
         data = [(4.905, 0.0, -0.0981), (0.0, -4.905, -0.0981), (2.943, -3.924, 0.0981)]
         expected = [row["hold_load"] for row in rows("hold", *PATCH, "--data", self.data("fx,fy,moment", data))]
-        for given, load in zip((("--down", "2,0", "--offset", 0.02), ("--offset", 0.02), ("--down", "3,-4", "--offset", -0.02)), expected):
+        for given, load in zip(
+            (("--down", "2,0", "--offset", 0.02), ("--offset", 0.02), ("--down", "3,-4", "--offset", -0.02)), expected):
             row, = rows("hold", *PATCH, "--mass", 1, *given)
             self.assert_close(row["hold_load"], load, 1e-12)
         row, = rows("hold", *PATCH, "--mass", 1, "--offset", 0.02)
@@ -105,27 +120,37 @@ class Hold(CommandLineTest):
         """In every command that takes one: mu_r = mu m0 a, with gamma the exponent of the radius."""
         m0 = 3 * math.pi / 16
         common = ["--law", "hertz", "--mu", "0.6"]
-        sized, measured = ["--radius-law", "power:c=0.005,gamma=0.3"], ["--mu-r", repr(0.6 * m0 * 0.005), "--gamma", "0.3"]
-        for command in (["hold", "--data", self.data("force,moment,load", [(1, 0.003, 2.5)])], ["p-curves", "--loads", "0,0.5,3"],
-                        ["c-curves", "--loads", "0,1,2", "--cors", "0,0.002,inf"], ["translate", "--load", "2", "--loads", "1,4"],
-                        ["hold", "--curve", "box", "--force", "1", "--moment", "0.003"]):
+        sized, measured = ["--radius-law",
+                           "power:c=0.005,gamma=0.3"], ["--mu-r", repr(0.6 * m0 * 0.005), "--gamma", "0.3"]
+        for command in (["hold", "--data", self.data("force,moment,load",
+                                                     [(1, 0.003, 2.5)])], ["p-curves", "--loads", "0,0.5,3"],
+                        ["c-curves", "--loads", "0,1,2", "--cors",
+                         "0,0.002,inf"], ["translate", "--load", "2", "--loads",
+                                          "1,4"], ["hold", "--curve", "box", "--force", "1", "--moment", "0.003"]):
             for one, other in zip(rows(*command, *common, *sized), rows(*command, *common, *measured), strict=True):
                 for name, number in one.items():
-                    self.assertEqual(number, other[name]) if isinstance(number, str) else self.assertAlmostEqual(number, other[name], delta=1e-12 * abs(number))
+                    self.assertEqual(number, other[name]) if isinstance(number, str) else self.assertAlmostEqual(
+                        number, other[name], delta=1e-12 * abs(number))
 
     def test_an_ellipse_or_a_box_with_mu_r_needs_no_law(self):
         contact = ["--mu", "0.6", "--mu-r", "0.002"]
         for curve, load in (("ellipse", math.hypot(1 / 0.6, 0.003 / 0.002)), ("box", 1 / 0.6)):
             for law in ([], ["--law", "cone"]):
-                self.assert_close(rows("hold", "--curve", curve, *law, *contact, "--force", "1", "--moment", "0.003")[0]["hold_load"], load, 1e-12)
+                self.assert_close(
+                    rows("hold", "--curve", curve, *law, *contact, "--force", "1", "--moment", "0.003")[0]["hold_load"],
+                    load, 1e-12)
             trace = self.file("turns.csv", "time,x,y,z,twist\n" + "".join(f"{i},0,0,-0.002,{i}\n" for i in range(4)))
-            self.assert_close(rows("replay", "--trace", trace, "--curve", curve, *contact, *FINGER)[-1]["moment"], -0.002 * 2, 1e-12)
+            self.assert_close(
+                rows("replay", "--trace", trace, "--curve", curve, *contact, *FINGER)[-1]["moment"], -0.002 * 2, 1e-12)
             self.assertEqual(run("pivot", "--curve", curve, *contact, "--duration", "0.01").returncode, 0)
         one, sized = ["--force", "1", "--moment", "0"], ["--radius-law", "constant:a=0.005"]
-        for command in (["hold", *one], ["replay", "--trace", trace, *FINGER], ["pivot", "--case", "exact"], ["p-curves", "--loads", "1"],
-                        ["c-curves", "--loads", "1", "--cors", "0"], ["translate", "--load", "1"], ["choose", "--scene", "--tolerance", "0.1"]):
+        for command in (["hold", *one], ["replay", "--trace", trace, *FINGER], ["pivot", "--case", "exact"],
+                        ["p-curves", "--loads", "1"], ["c-curves", "--loads", "1", "--cors",
+                                                       "0"], ["translate", "--load",
+                                                              "1"], ["choose", "--scene", "--tolerance", "0.1"]):
             self.assert_fails(2, ["--mu-r", "--radius-law"], *command, "--law", "hertz", *contact, *sized)
-        for command in (["hold", "--force", "1,0", "--moment", "0"], ["replay", "--trace", trace, *FINGER], ["translate"]):
+        for command in (["hold", "--force", "1,0", "--moment", "0"], ["replay", "--trace", trace,
+                                                                      *FINGER], ["translate"]):
             self.assert_fails(2, ["--mu-r", "--patch"], *command, "--patch", "rectangle:x=0.02,y=0.01", *contact)
         for command in (["hold", *one], ["replay", "--trace", trace, *FINGER]):
             for curve in ("exact", "table"):
@@ -133,8 +158,10 @@ class Hold(CommandLineTest):
             self.assert_fails(2, "--law", *command, "--curve", "ellipse", "--mu", "0.6", *sized)
 
     def test_margin_at_the_ends(self):
-        for contact, columns, zero, some in ((CONTACT, "force,moment,load", (0, 0), (1, 0)), (PATCH, "fx,fy,moment,load", (0, 0, 0), (1, 0, 0))):
-            found = rows("hold", *contact, "--data", self.data(columns, [(*zero, 0), (*zero, 2), (*some, 0), (*some, 1), (*some, 4)]))
+        for contact, columns, zero, some in ((CONTACT, "force,moment,load", (0, 0), (1, 0)),
+                                             (PATCH, "fx,fy,moment,load", (0, 0, 0), (1, 0, 0))):
+            found = rows("hold", *contact, "--data",
+                         self.data(columns, [(*zero, 0), (*zero, 2), (*some, 0), (*some, 1), (*some, 4)]))
             self.assertEqual(",".join(found[0]), columns.replace("load", "hold_load,margin"))
             margins = [row["margin"] for row in found]
             self.assertEqual(margins[:4], [1, 1, 0, 0])
@@ -143,16 +170,28 @@ class Hold(CommandLineTest):
     def test_bad_input(self):
         one = ["--force", "1", "--moment", "0"]
         weight = ["--mass", "1", "--offset", "0"]
-        for told, arguments in ((["--law", "--patch"], ["--mu", "1", *one]), (["--law", "--patch"], [*CONTACT, "--patch", "rectangle:x=1,y=1", *one]),
-                                ("--radius-law", ["--law", "hertz", "--mu", "1", *one]), ("--radius-law", [*PATCH, "--radius-law", "constant:a=1", *one]),
-                                (["--data", "--mass"], CONTACT), (["--data", "--mass"], [*CONTACT, *one, "--data", "x"]), (["--data", "--mass"], [*CONTACT, *one, *weight]),
-                                ("--moment", [*CONTACT, "--force", "1"]), ("--force", [*CONTACT, "--moment", "1"]), ("--offset", [*CONTACT, "--mass", "1"]),
+        for told, arguments in ((["--law", "--patch"], ["--mu", "1", *one]),
+                                (["--law", "--patch"], [*CONTACT, "--patch", "rectangle:x=1,y=1",
+                                                        *one]), ("--radius-law", ["--law", "hertz", "--mu", "1", *one]),
+                                ("--radius-law", [*PATCH, "--radius-law", "constant:a=1", *one]), (["--data",
+                                                                                                    "--mass"], CONTACT),
+                                (["--data", "--mass"], [*CONTACT, *one, "--data",
+                                                        "x"]), (["--data", "--mass"], [*CONTACT, *one, *weight]),
+                                ("--moment", [*CONTACT, "--force",
+                                              "1"]), ("--force", [*CONTACT, "--moment",
+                                                                  "1"]), ("--offset", [*CONTACT, "--mass", "1"]),
                                 ("FX,FY", [*PATCH, *one]), ("one, F", [*CONTACT, "--force", "1,2", "--moment", "0"]),
-                                ("--fingers", [*CONTACT, *weight, "--fingers", "0"]), ("--fingers", [*CONTACT, *weight, "--fingers", "1.5"]),
-                                ("--mass", [*CONTACT, "--fingers", "2"]), ("--mu", ["--law", "hertz", "--radius-law", "constant:a=1", "--mu", "-1", *one]),
-                                ("moment", [*CONTACT, "--data", self.file("short.csv", "force\n1\n")]),
-                                (["bad.csv:2:3", "'x'"], [*CONTACT, "--data", self.file("bad.csv", "force,moment\n1,x\n")]),
-                                (["load.csv:2:5", "-1"], [*CONTACT, "--data", self.file("load.csv", "force,moment,load\n1,0,-1\n")])):
+                                ("--fingers", [*CONTACT, *weight, "--fingers",
+                                               "0"]), ("--fingers", [*CONTACT, *weight, "--fingers",
+                                                                     "1.5"]), ("--mass", [*CONTACT, "--fingers", "2"]),
+                                ("--mu", ["--law", "hertz", "--radius-law", "constant:a=1", "--mu", "-1",
+                                          *one]), ("moment", [*CONTACT, "--data",
+                                                              self.file("short.csv", "force\n1\n")]),
+                                (["bad.csv:2:3", "'x'"],
+                                 [*CONTACT, "--data", self.file("bad.csv", "force,moment\n1,x\n")
+                                  ]), (["load.csv:2:5", "-1"],
+                                       [*CONTACT, "--data",
+                                        self.file("load.csv", "force,moment,load\n1,0,-1\n")])):
             self.assert_fails(2, told, "hold", *arguments)
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What a terminal gets: results in a table; on standard error progress (a bar there, lines elsewhere), colours, and what was meant."""
+"""What a terminal gets: results in a table; on standard error progress (a bar there, lines elsewhere), colours, and
+what was meant."""
 
 import csv
 import os
@@ -14,19 +15,31 @@ from concurrent.futures import ThreadPoolExecutor
 from command_line import EXECUTABLE, CommandLineTest, PROGRESS, run
 
 EVAL = ["eval", "--law", "hertz", "--c", "1"]
-FINGER = ["--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
+FINGER = [
+    "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness",
+    "0.036"
+]
 
 
 def on_terminal(*arguments, results=True, environment=(), feed=None):
-    """Exit status, what a terminal got from standard error (and standard output, with `results`), and what standard output got otherwise.
-    `feed` writes standard input."""
+    """Exit status, what a terminal got from standard error (and standard output, with `results`), and what standard
+    output got otherwise. `feed` writes standard input."""
     try:
         ours, theirs = pty.openpty()
     except OSError as error:  # as where /dev/pts is not mounted
         raise unittest.SkipTest(f"no pseudo-terminal: {error}") from error
-    variables = {**{name: value for name, value in os.environ.items() if name != "NO_COLOR"}, "TERM": "xterm", **dict(environment)}
-    process = subprocess.Popen([EXECUTABLE, *map(str, arguments)], stdin=subprocess.PIPE if feed else subprocess.DEVNULL,
-                               stdout=theirs if results else subprocess.PIPE, stderr=theirs, env=variables)
+    variables = {
+        **{
+            name: value
+            for name, value in os.environ.items() if name != "NO_COLOR"
+        }, "TERM": "xterm",
+        **dict(environment)
+    }
+    process = subprocess.Popen([EXECUTABLE, *map(str, arguments)],
+                               stdin=subprocess.PIPE if feed else subprocess.DEVNULL,
+                               stdout=theirs if results else subprocess.PIPE,
+                               stderr=theirs,
+                               env=variables)
     os.close(theirs)
     if feed:
         feed(process.stdin)
@@ -75,7 +88,11 @@ REPLAY = ["replay", "--trace", "-", *FINGER]
 
 def on_pipes(*arguments, seconds, last=ROWS[1]):
     """Standard error and exit status of a replay whose last row comes after so many seconds."""
-    with subprocess.Popen([EXECUTABLE, *REPLAY, *arguments], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen([EXECUTABLE, *REPLAY, *arguments],
+                          stdin=subprocess.PIPE,
+                          stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE,
+                          text=True) as process:
         process.stdin.write(ROWS[0])
         process.stdin.flush()
         time.sleep(seconds)
@@ -139,8 +156,9 @@ class Bar(CommandLineTest):
 
 
 class Table(CommandLineTest):
-    CALLS = [["validate", "--law", "hertz", "--law", "mix:0.7*hertz+0.3*uniform"], ["choose", "--law", "hertz", "--tolerance", "0.01"],
-             ["fit", "ellipse", "--law", "hertz", "--quiet"], ["laws"], ["p-curves", *FINGER[:6], "--loads", "1,20", "--points", "500"],
+    CALLS = [["validate", "--law", "hertz", "--law", "mix:0.7*hertz+0.3*uniform"],
+             ["choose", "--law", "hertz", "--tolerance", "0.01"], ["fit", "ellipse", "--law", "hertz", "--quiet"],
+             ["laws"], ["p-curves", *FINGER[:6], "--loads", "1,20", "--points", "500"],
              ["hold", *FINGER[:6], "--force", "1", "--moment", "0.002"]]
 
     @unittest.skipIf(sys.platform == "win32", "no pseudo-terminals")
@@ -169,7 +187,8 @@ class Table(CommandLineTest):
     def test_a_long_one_comes_in_parts(self):
         call = ["p-curves", *FINGER[:6], "--loads", "1,20,3", "--points", "1001", "--format"]
         cells = [line.split() for line in run(*call, "table").stdout.splitlines()]
-        self.assertEqual([(row[0], len(row)) for row in cells], [(line.split(",")[0], 4) for line in run(*call, "csv").stdout.splitlines()])
+        self.assertEqual([(row[0], len(row)) for row in cells],
+                         [(line.split(",")[0], 4) for line in run(*call, "csv").stdout.splitlines()])
 
     @staticmethod
     def rounded(name, text, lines):
@@ -186,7 +205,13 @@ class Table(CommandLineTest):
 class Colours(CommandLineTest):
     def test_an_error_in_red_on_a_terminal_alone(self):
         red, plain = "limitcurve: \x1b[31merror:\x1b[0m ", "limitcurve: error: "
-        for environment, begin in [({}, red), ({"NO_COLOR": ""}, red), ({"NO_COLOR": "1"}, plain), ({"TERM": "dumb"}, plain)]:
+        for environment, begin in [({}, red), ({
+                "NO_COLOR": ""
+        }, red), ({
+                "NO_COLOR": "1"
+        }, plain), ({
+                "TERM": "dumb"
+        }, plain)]:
             status, seen, _ = on_terminal("evil", environment=environment)
             self.assertEqual(status, 2)
             self.assertRegex(seen, rf"\A{re.escape(begin)}unknown subcommand 'evil'[^\n\x1b]+\n\Z")
@@ -220,22 +245,32 @@ class Meant(CommandLineTest):
     def test_what_was_meant(self):
         curves = ["p-curves", "--law", "hertz", "--mu", "1", "--loads", "1", "--radius-law"]
         for meant, *call in [
-            ("validate", "valdiate"), ("p-curves", "pcurves"), ("--version", "--versoin"),
-            ("hertz", "eval", "--law", "herz", "--c", "1"), ("uniform", "eval", "--law", "unifrom", "--c", "1"),
-            ("power:n=2", "eval", "--law", "pwoer:n=2", "--c", "1"), ("hertz", "eval", "--law", "mix:0.5*herz+0.5*hertz", "--c", "1"),
-            ("samples:f.csv", "eval", "--law", "sample:f.csv", "--c", "1"), ("flat-punch", "eval", "--law", "flatpunch", "--c", "1"),
-            ("constant:a=1", *curves, "const:a=1"), ("moments:f.csv", *curves, "moment:f.csv"),
-            ("rectangle:x=1,y=1", "validate", "--patch", "rectangel:x=1,y=1"), ("points", "validate", "--patch", "point"),
-            ("--law", "eval", "--lwa", "hertz", "--c", "1"), ("--tolerance", "table", "--law", "hertz", "--tol", "1e-6", "-o", "x.csv"),
-            ("--points", "curve", "--law", "hertz", "--pionts=5"), ("radial", "replay", "--trace", "x.csv", *FINGER, "--projection", "radail"),
+            ("validate", "valdiate"),
+            ("p-curves", "pcurves"),
+            ("--version", "--versoin"),
+            ("hertz", "eval", "--law", "herz", "--c", "1"),
+            ("uniform", "eval", "--law", "unifrom", "--c", "1"),
+            ("power:n=2", "eval", "--law", "pwoer:n=2", "--c", "1"),
+            ("hertz", "eval", "--law", "mix:0.5*herz+0.5*hertz", "--c", "1"),
+            ("samples:f.csv", "eval", "--law", "sample:f.csv", "--c", "1"),
+            ("flat-punch", "eval", "--law", "flatpunch", "--c", "1"),
+            ("constant:a=1", *curves, "const:a=1"),
+            ("moments:f.csv", *curves, "moment:f.csv"),
+            ("rectangle:x=1,y=1", "validate", "--patch", "rectangel:x=1,y=1"),
+            ("points", "validate", "--patch", "point"),
+            ("--law", "eval", "--lwa", "hertz", "--c", "1"),
+            ("--tolerance", "table", "--law", "hertz", "--tol", "1e-6", "-o", "x.csv"),
+            ("--points", "curve", "--law", "hertz", "--pionts=5"),
+            ("radial", "replay", "--trace", "x.csv", *FINGER, "--projection", "radail"),
         ]:
             with self.subTest(call=call):
                 self.assert_fails(2, f"; did you mean '{meant}'?", *call)
                 self.assert_fails(2, "expected", *call)
 
     def test_nothing_is_near(self):
-        for call in [["wobble"], ["eval", "--law", "x" * 100000, "--c", "1"], ["eval", "--law", "", "--c", "1"], [*EVAL, "--sea", "1"], [*EVAL, "extra"],
-                     ["eval", "--law", "hertz:n=1", "--c", "1"], ["validate", "--patch", "disc:a=1"]]:
+        for call in [["wobble"], ["eval", "--law", "x" * 100000, "--c", "1"], ["eval", "--law", "", "--c", "1"],
+                     [*EVAL, "--sea", "1"], [*EVAL, "extra"], ["eval", "--law", "hertz:n=1", "--c", "1"],
+                     ["validate", "--patch", "disc:a=1"]]:
             self.assert_fails(2, "expected", *call)
             self.assertNotIn("did you mean", run(*call).stderr, call)
 

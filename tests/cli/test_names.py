@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""One name for one thing in C++, C, Python and on the command line: data/names.csv has every name that stands in two of them or more."""
+"""One name for one thing in C++, C, Python and on the command line: data/names.csv has every name that stands in two of
+them or more."""
 
 import ast
 import csv
@@ -22,18 +23,25 @@ def fields(source, structure):
     body = re.search(r"struct " + structure + r"(?: final)? \{(.*?)\n\}", source, re.DOTALL).group(1)
     body = re.sub(r"/\*.*?\*/|//[^\n]*", "", body, flags=re.DOTALL)
     declarations = [line for line in re.sub(r"\([^()]*\)|\{[^{}]*\}", "", body).split(";") if line.strip()]
-    return {re.split(r"\s=", line)[0].split()[-1].lstrip("*").split("[")[0] for line in declarations if "return" not in line and "[[nodiscard]]" not in line}
+    return {
+        re.split(r"\s=", line)[0].split()[-1].lstrip("*").split("[")[0]
+        for line in declarations
+        if "return" not in line and "[[nodiscard]]" not in line
+    }
 
 
 def cpp_names():
-    finger, friction, batch, contact = (text("godobject", name + ".hpp") for name in ("finger", "friction", "batch/batch", "contact"))
+    finger, friction, batch, contact = (text("godobject", name + ".hpp")
+                                        for name in ("finger", "friction", "batch/batch", "contact"))
     found = set()
-    for source, structures in ((finger, ("FingerParameters", "FingerOutput")), (friction, ("FrictionLimits", "FrictionMemory", "FrictionResult")),
-                               (batch, ("BasicContactBatch",)), (contact, ("Contact",))):
+    for source, structures in ((finger, ("FingerParameters", "FingerOutput")),
+                               (friction, ("FrictionLimits", "FrictionMemory", "FrictionResult")),
+                               (batch, ("BasicContactBatch", )), (contact, ("Contact", ))):
         for structure in structures:
             found |= fields(source, structure)
     soft_finger = text("godobject", "soft_finger.hpp")
-    found |= set(re.findall(r"\b(\w+)\([^)]*\) (?:const&? |& )?noexcept", soft_finger)) | set(re.findall(r"(?:double|Contact&) (\w+)[,)= ]", soft_finger))
+    found |= set(re.findall(r"\b(\w+)\([^)]*\) (?:const&? |& )?noexcept", soft_finger)) | set(
+        re.findall(r"(?:double|Contact&) (\w+)[,)= ]", soft_finger))
     return found | fields(text("godobject", "scene", "replay.hpp"), "ReplayOptions")
 
 
@@ -54,7 +62,9 @@ def python_names():
     for name, signature in re.findall(r'"def (\w+)\((.*?)\) ->', re.sub(r'"\s*\n\s*"', "", sources)):
         found |= {name, *re.findall(r"(\w+): ", signature)}
     found |= set(re.findall(r"(\w+): ", re.search(r"string step_signature\(.*?\n\}", sources, re.DOTALL)[0]))
-    found |= set(re.findall(r'\{"(\w+)",\s*&FingerParameters', text("godobject", "finger", "finger_parameter_table.hpp"))) | {"radius_law", "projection"}
+    found |= set(
+        re.findall(r'\{"(\w+)",\s*&FingerParameters', text(
+            "godobject", "finger", "finger_parameter_table.hpp"))) | {"radius_law", "projection"}
     for node in ast.parse(text("python", "limitcurve", "_tables.py")).body:
         if isinstance(node, ast.FunctionDef) and node.name in ("replay", "choose"):
             found |= {argument.arg for argument in node.args.args + node.args.kwonlyargs}
@@ -62,7 +72,12 @@ def python_names():
 
 
 def option_names():
-    return {name for subcommand in ("replay", "pivot", "choose") for name in re.findall(r"(--[a-z-]+)", run(subcommand, "--help-all").stdout)}
+    return {
+        name
+        for subcommand in ("replay", "pivot", "choose")
+        for name in re.findall(r"(--[a-z-]+)",
+                               run(subcommand, "--help-all").stdout)
+    }
 
 
 @unittest.skipUnless((ROOT / "c").is_dir() and (ROOT / "python").is_dir(), "a language was deleted")
@@ -79,20 +94,35 @@ class Names(unittest.TestCase):
         for language in LANGUAGES:
             for name in present[language]:
                 plain = name.lstrip("-").replace("-", "_")
-                shared = sum(plain in {other.lstrip("-").replace("-", "_") for other in present[place]} for place in LANGUAGES)
-                self.assertTrue(shared < 2 or name in known[language], f"{language}: {name} stands in {shared} languages, not in data/names.csv")
+                shared = sum(plain in {other.lstrip("-").replace("-", "_")
+                                       for other in present[place]}
+                             for place in LANGUAGES)
+                self.assertTrue(shared < 2 or name in known[language],
+                                f"{language}: {name} stands in {shared} languages, not in data/names.csv")
 
     def test_structs_for_c_sharp_have_the_members_of_c_in_its_order(self):
-        sharp, header = text("examples", "limitcurve.cs"), re.sub(r"/\*.*?\*/", "", text("c", "limitcurve.h"), flags=re.DOTALL)
-        for name, of_c in (("FingerParameters", "finger_parameters"), ("Contact", "contact"), ("FingerOutput", "finger_output")):
-            members = re.findall(r"(\w+)(?:\[3\])?;", re.search(rf"typedef struct limitcurve_{of_c} \{{(.*?)\n\}}", header, re.DOTALL)[1])
+        sharp, header = text("examples", "limitcurve.cs"), re.sub(r"/\*.*?\*/",
+                                                                  "",
+                                                                  text("c", "limitcurve.h"),
+                                                                  flags=re.DOTALL)
+        for name, of_c in (("FingerParameters", "finger_parameters"), ("Contact", "contact"), ("FingerOutput",
+                                                                                               "finger_output")):
+            members = re.findall(r"(\w+)(?:\[3\])?;",
+                                 re.search(rf"typedef struct limitcurve_{of_c} \{{(.*?)\n\}}", header, re.DOTALL)[1])
             body = re.search(rf"struct {name} \{{(.*?)\n\}}", sharp, re.DOTALL)[1]
-            declared = [re.sub(r"\[3\]", "", one) for line in re.findall(r"public (?:fixed )?\w+ ([^;]+);", body) for one in line.split(", ")]
-            self.assertEqual(declared, [re.sub(r"_(\w)", lambda letter: letter[1].upper(), member) for member in members], name)
+            declared = [
+                re.sub(r"\[3\]", "", one)
+                for line in re.findall(r"public (?:fixed )?\w+ ([^;]+);", body)
+                for one in line.split(", ")
+            ]
+            self.assertEqual(declared,
+                             [re.sub(r"_(\w)", lambda letter: letter[1].upper(), member) for member in members], name)
 
     def test_values_may_have_underscores(self):
-        call = ["replay", "--trace", DATA / "traces" / "slide_twist_load.csv", "--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6",
-                "--stiffness", "1000", "--twist-stiffness", "0.036", "--projection"]
+        call = [
+            "replay", "--trace", DATA / "traces" / "slide_twist_load.csv", "--law", "hertz", "--radius-law",
+            "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036", "--projection"
+        ]
         self.assertEqual(run(*call, "closest_point").stdout, run(*call, "closest-point").stdout)
 
 

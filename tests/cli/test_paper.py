@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The corrections to the paper: results of its equations as printed, written out here, compared with what the command gives."""
+"""The corrections to the paper: results of its equations as printed, written out here, compared with what the command
+gives."""
 
 import csv
 import importlib.util
@@ -15,12 +16,19 @@ from command_line import DATA, EXECUTABLE, CommandLineTest, rows
 ROOT = Path(__file__).resolve().parents[2]
 SIXTY_LINES = ROOT / "examples" / "python" / "paper_in_60_lines.py"
 MU, MU_R = 1.67, 0.01011  # sandpaper
-FINGER = {"law": "hertz", "radius-law": "constant:a=0.006", "mu": "0.6", "stiffness": "1000", "twist-stiffness": "0.036"}
+FINGER = {
+    "law": "hertz",
+    "radius-law": "constant:a=0.006",
+    "mu": "0.6",
+    "stiffness": "1000",
+    "twist-stiffness": "0.036"
+}
 FINGER_OPTIONS = [word for name, value in FINGER.items() for word in (f"--{name}", value)]
 
 
 def table(path):
-    return list(csv.DictReader(line for line in path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")))
+    return list(
+        csv.DictReader(line for line in path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")))
 
 
 def trace(name):
@@ -45,8 +53,9 @@ def printed_equation_8(samples, mu_static, mu_dynamic):
 
 
 def regripped_block(carried):
-    """A model of the block of `pivot`, regripped under 1 N at 30 degrees while it turns at 0.3 rad/s, about the grip alone: how far it has turned after 3 s
-    [deg]. `carried` is by how much step e carries the proxy's angle with a velocity: eq. (13) or its correction."""
+    """A model of the block of `pivot`, regripped under 1 N at 30 degrees while it turns at 0.3 rad/s, about the grip
+    alone: how far it has turned after 3 s [deg]. `carried` is by how much step e carries the proxy's angle with a
+    velocity: eq. (13) or its correction."""
     mass, offset, time_step = 0.1, 0.005, 1e-3
     inertia = mass * (0.12**2 + 0.04**2) / 12 + mass * offset**2
     twist_stiffness = 1000 * (MU_R / MU) ** 2
@@ -108,17 +117,26 @@ class Corrections(CommandLineTest):
     """What docs/paper.md says of the equations as printed. Each is evaluated here by a sum of its own."""
 
     def replay(self, name, *options):
-        return [row for row in rows("replay", "--trace", DATA / "traces" / name, *FINGER_OPTIONS, *options) if row["state"] != "free"]
+        return [
+            row for row in rows("replay", "--trace", DATA / "traces" / name, *FINGER_OPTIONS, *options)
+            if row["state"] != "free"
+        ]
 
     def test_equation_8_chatters_where_dynamic_friction_is_less(self):
         printed = printed_equation_8(trace("slide_twist_load.csv"), 0.6, 0.3)
         self.assertAlmostEqual(sum(printed) / len(printed), 0.319, delta=5e-4)
-        here = [math.hypot(row["fx"], row["fy"]) / row["load"]
-                for row in self.replay("slide_twist_load.csv", "--curve", "box", "--mu-dynamic", "0.3") if row["load"] > 0]
+        here = [
+            math.hypot(row["fx"], row["fy"]) / row["load"]
+            for row in self.replay("slide_twist_load.csv", "--curve", "box", "--mu-dynamic", "0.3")
+            if row["load"] > 0
+        ]
         self.assertLess(sum(here) / len(here), 0.23)
         # Where both coefficients are one the two agree.
         printed = printed_equation_8(trace("slide_twist_load.csv"), 0.6, 0.6)
-        here = [math.hypot(row["fx"], row["fy"]) / row["load"] for row in self.replay("slide_twist_load.csv", "--curve", "box")]
+        here = [
+            math.hypot(row["fx"], row["fy"]) / row["load"]
+            for row in self.replay("slide_twist_load.csv", "--curve", "box")
+        ]
         self.assertAlmostEqual(max(abs(a - b) for a, b in zip(printed, here)), 0, delta=1e-9)
 
     def test_angles_at_touch_down_preload_nothing(self):
@@ -129,7 +147,9 @@ class Corrections(CommandLineTest):
             for row, (_, depth, alpha_s) in zip(found, samples, strict=True):
                 # As printed alpha_p = alpha_0 at touch-down and alpha_g = alpha_s - alpha_0.
                 printed = 0.036 * (alpha_0 - (alpha_s - alpha_0)) if depth > 0 else 0
-                self.assertAlmostEqual(printed - row["moment"], 0.036 * 0.3 if alpha_0 and depth > 0 else 0, delta=1e-15)
+                self.assertAlmostEqual(printed - row["moment"],
+                                       0.036 * 0.3 if alpha_0 and depth > 0 else 0,
+                                       delta=1e-15)
 
     def test_signs_of_equation_17(self):
         # The printed pair is that on the finger: F opposes v_y = -c, M opposes omega = 1, and they have
@@ -146,7 +166,8 @@ class Corrections(CommandLineTest):
             patch = rows("patch", "--quiet", "--patch", "ellipse:law=hertz,a=1,b=1", "--twists", twist)[0]
             # A finger moved so settles at it, on its user.
             path = "".join(f"{i / 1000},0,{-c * radius * 0.02 * i},{-load / 1000},{0.02 * i}\n" for i in range(300))
-            settled = self.replay(self.file("trace.csv", "time,x,y,z,twist\n" + path), "--projection", "closest-point")[-1]
+            settled = self.replay(self.file("trace.csv", "time,x,y,z,twist\n" + path), "--projection",
+                                  "closest-point")[-1]
             limit = 0.6 * load
             for found in ((here["force"], -here["moment"]), (-patch["fy"], -patch["moment"]),
                           (settled["fy"] / limit, settled["moment"] / (limit * radius))):
@@ -169,11 +190,17 @@ class Corrections(CommandLineTest):
         # alone would gain k_l s^2 (change of depth)/(2 R).
         ball, stiffness, turn, deep, shallow = 0.05, 1000, 0.1, 0.0025, 0.001
         corners = [(0, deep), (turn, deep), (turn, shallow), (0, shallow), (0, deep)]
-        path = [tuple(p + (q - p) * i / 100 for p, q in zip(one, other)) for one, other in zip(corners, corners[1:]) for i in range(100)] + [corners[-1]]
+        path = [
+            tuple(p + (q - p) * i / 100
+                  for p, q in zip(one, other))
+            for one, other in zip(corners, corners[1:])
+            for i in range(100)
+        ] + [corners[-1]]
         fingers = [((ball - depth) * math.sin(angle), (ball - depth) * math.cos(angle)) for angle, depth in path]
         trace_of = "".join(f"{i / 1000},{x!r},0,{z!r},0\n" for i, (x, z) in enumerate(fingers))
-        found = rows("replay", "--trace", self.file("trace.csv", "time,x,y,z,twist\n" + trace_of), *FINGER_OPTIONS[:4], "--mu", "50", "--stiffness", stiffness,
-                     "--twist-stiffness", "0.036", "--surface", f"sphere:radius={ball}")
+        found = rows("replay", "--trace", self.file("trace.csv",
+                                                    "time,x,y,z,twist\n" + trace_of), *FINGER_OPTIONS[:4], "--mu", "50",
+                     "--stiffness", stiffness, "--twist-stiffness", "0.036", "--surface", f"sphere:radius={ball}")
         self.assertEqual({row["state"] for row in found}, {"stick"})
         printed, tangential = [], []
         for row, (angle, depth) in zip(found, path, strict=True):
@@ -186,15 +213,18 @@ class Corrections(CommandLineTest):
                 self.assertAlmostEqual(friction + row["load"] * n, value, delta=1e-12)
 
         def gain(forces):
-            return sum((a + b) / 2 * (q - p) for f, g, x, y in zip(forces, forces[1:], fingers, fingers[1:]) for a, b, p, q in zip(f, g, x, y))
+            return sum((a + b) / 2 * (q - p)
+                       for f, g, x, y in zip(forces, forces[1:], fingers, fingers[1:])
+                       for a, b, p, q in zip(f, g, x, y))
 
         self.assertAlmostEqual(gain(printed), 0, delta=1e-15)
         self.assert_close(abs(gain(tangential)), stiffness * (ball * turn) ** 2 * (deep - shallow) / (2 * ball), 2e-3)
 
     def test_the_proxy_goes_where_the_bodys_material_goes(self):
-        # A plate turns in place under a finger 5 mm beside its axis that sticks: its centre moves by 0, the place under the finger by 4.75 mm.
-        found = rows("replay", "--trace", DATA / "scenes" / "turntable.csv", "--body", "trace", *FINGER_OPTIONS[:4], "--mu", "1000",
-                     "--stiffness", "1000", "--twist-stiffness", "0.036")
+        # A plate turns in place under a finger 5 mm beside its axis that sticks: its centre moves by 0, the place under
+        # the finger by 4.75 mm.
+        found = rows("replay", "--trace", DATA / "scenes" / "turntable.csv", "--body", "trace", *FINGER_OPTIONS[:4],
+                     "--mu", "1000", "--stiffness", "1000", "--twist-stiffness", "0.036")
         touch = next(row for row in found if row["state"] != "free")
         self.assertEqual({row["state"] for row in found[found.index(touch):]}, {"stick"})
         self.assertAlmostEqual(math.hypot(found[-1]["px"], found[-1]["py"]), 0.005, delta=1e-9)
@@ -209,7 +239,8 @@ class Corrections(CommandLineTest):
 
     def test_the_ratio_of_a_hertzian_contact_grows_with_the_load(self):
         # Eqs. (4), (5): mu_r/mu_l = 3 pi/16 a(P), twice as large at 8 N as at 1 N; eq. (2): constant.
-        found = rows("p-curves", "--law", "hertz", "--radius-law", "hertz:R=0.008,E=2e5", "--mu", "1", "--loads", "1,8", "--points", "2")
+        found = rows("p-curves", "--law", "hertz", "--radius-law", "hertz:R=0.008,E=2e5", "--mu", "1", "--loads", "1,8",
+                     "--points", "2")
         first, second = (row["moment"] / row["load"] for row in found if row["c"] == 0)
         self.assert_close(first, -printed_equation_17(0, hertz_radius(1))[1], 1e-4)
         self.assert_close(second / first, 2, 1e-14)
@@ -219,7 +250,8 @@ class Corrections(CommandLineTest):
         ends = []
         for load in (1, 8):
             mu = 1e4 * math.pi * hertz_radius(load) ** 2 / load
-            twist, slide = rows("p-curves", "--law", "uniform", "--radius-law", "hertz:R=0.008,E=2e5", "--mu", mu, "--loads", load, "--points", "2")
+            twist, slide = rows("p-curves", "--law", "uniform", "--radius-law", "hertz:R=0.008,E=2e5", "--mu", mu,
+                                "--loads", load, "--points", "2")
             ends.append((slide["force"], twist["moment"]))
         for one, other, growth in zip(*ends, (4, 8)):
             self.assert_close(other / one, growth, 1e-12)
@@ -240,7 +272,9 @@ class Corrections(CommandLineTest):
         for law, pressure in (("hertz", hertz), ("uniform", uniform)):
             largest = -printed_equation_17(0, pressure=pressure)[1]
             summed = (printed_equation_17(c, pressure=pressure, n=150) for c in (0.6, 0.65, 0.7, 0.75, 0.8))
-            self.assertAlmostEqual(found[law]["max_over_estimate"], 1 / min(math.hypot(f, m / largest) for f, m in summed) - 1, delta=2e-4)
+            self.assertAlmostEqual(found[law]["max_over_estimate"],
+                                   1 / min(math.hypot(f, m / largest) for f, m in summed) - 1,
+                                   delta=2e-4)
         over = sorted(row["max_over_estimate"] for row in found.values())
         self.assertEqual((round(100 * over[0], 2), round(100 * over[-1], 2)), (4.25, 8.26))
         self.assertLess(max(row["max_under_estimate"] for row in found.values()), 1e-9)
@@ -261,8 +295,11 @@ class Corrections(CommandLineTest):
                 x, y = keep * x, keep * y
             self.assertAlmostEqual(math.hypot(x - true_force, y + true_moment / largest), off, delta=1e-3)
             radius = 0.006
-            finger = ["--law", "hertz", "--radius-law", f"constant:a={radius}", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness",
-                      kappa * 1000 * (largest * radius) ** 2, "--curve", "ellipse", "--projection", "radial", "--quiet"]
+            finger = [
+                "--law", "hertz", "--radius-law", f"constant:a={radius}", "--mu", "0.6", "--stiffness", "1000",
+                "--twist-stiffness", kappa * 1000 * (largest * radius) ** 2, "--curve", "ellipse", "--projection",
+                "radial", "--quiet"
+            ]
             path = "".join(f"{i / 1000},0,{-radius * 0.01 * i},-0.002,{0.01 * i}\n" for i in range(1500))
             settled = rows("replay", "--trace", self.file("trace.csv", "time,x,y,z,twist\n" + path), *finger)[-1]
             self.assertAlmostEqual(settled["fy"] / 1.2, x, delta=1e-4)
@@ -271,8 +308,10 @@ class Corrections(CommandLineTest):
     def test_force_closure_by_two_soft_fingers(self):
         call = ["replay", "--trace", DATA / "scenes" / "pinch.csv", "--fingers", "2", "--surface",
                 "box:x=0.12,y=0.04,z=0.04", "--body", "free:mass=0.1", "--damping", "2"]
-        soft, point = ([math.degrees(2 * math.atan2(row["bqz"], row["bqw"])) for row in rows(*call, *more)]
-                       for more in (FINGER_OPTIONS, ["--mu-r", "0", *(w for w in FINGER_OPTIONS if w not in ("--radius-law", FINGER["radius-law"]))]))
+        soft, point = ([math.degrees(
+            2 * math.atan2(row["bqz"], row["bqw"])) for row in rows(*call, *more)] for more in (
+                FINGER_OPTIONS,
+                ["--mu-r", "0", *(w for w in FINGER_OPTIONS if w not in ("--radius-law", FINGER["radius-law"]))]))
         self.assertAlmostEqual(soft[-1], math.degrees(2 * math.atan(0.2)), delta=0.05)
         self.assertEqual(set(point), {0})
 
@@ -287,10 +326,15 @@ class SixtyLines(CommandLineTest):
         spec.loader.exec_module(self.paper)
 
     def test_step_b_is_that_of_the_library(self):
-        done = subprocess.run([sys.executable, "-B", SIXTY_LINES, EXECUTABLE], capture_output=True, text=True, check=False)
+        done = subprocess.run([sys.executable, "-B", SIXTY_LINES, EXECUTABLE],
+                              capture_output=True,
+                              text=True,
+                              check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
-        for step_b, curve in ((self.paper.uncoupled, ["box"]), (self.paper.coupled, ["ellipse", "--projection", "radial"])):
-            for path, body in ((DATA / "traces" / "slide_twist_load.csv", []), (DATA / "scenes" / "turntable.csv", ["--body", "trace"])):
+        for step_b, curve in ((self.paper.uncoupled, ["box"]), (self.paper.coupled,
+                                                                ["ellipse", "--projection", "radial"])):
+            for path, body in ((DATA / "traces" / "slide_twist_load.csv", []), (DATA / "scenes" / "turntable.csv",
+                                                                                ["--body", "trace"])):
                 here = list(self.paper.god_object(self.paper.read(path), step_b))
                 library = rows("replay", "--trace", path, *FINGER_OPTIONS, "--curve", *curve, *body)
                 self.assertEqual(len(here), len(library))
@@ -303,14 +347,16 @@ class SixtyLines(CommandLineTest):
         radius, mu = self.paper.A, self.paper.MU
         for row in rows("eval", "--law", "hertz", "--c", "0,0.003,0.006,0.009", "--radius", radius, "--mu", mu):
             found = self.paper.wrench(row["c"])
-            for value, printed, magnitude, unit in zip(found, printed_equation_17(row["c"], radius), (row["force"], row["moment"]), (mu, mu * radius)):
+            for value, printed, magnitude, unit in zip(found, printed_equation_17(row["c"], radius),
+                                                       (row["force"], row["moment"]), (mu, mu * radius)):
                 self.assertAlmostEqual(value, mu * printed, delta=1e-4 * unit)
                 self.assertAlmostEqual(abs(value), magnitude, delta=1e-4 * unit)
         self.assert_close(self.paper.MU_R, -self.paper.wrench(0.0)[1], 1e-4)  # eqs. (4), (5)
 
     def test_the_page_shows_the_file(self):
         source, at = SIXTY_LINES.read_text(encoding="utf-8"), 0
-        blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "paper_in_60_lines.md").read_text(encoding="utf-8"), re.DOTALL)
+        blocks = re.findall(r"```python\n(.*?)```",
+                            (ROOT / "docs" / "paper_in_60_lines.md").read_text(encoding="utf-8"), re.DOTALL)
         for block in blocks:
             at = source.index(block, at) + len(block)
         self.assertLessEqual(source.count("\n", source.index(blocks[0]), at), 60)

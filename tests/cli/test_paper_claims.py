@@ -33,36 +33,41 @@ class Claims(CommandLineTest):
         return math.degrees(found[-1]["angle"]), 1e3 * found[-1]["grip_slip"], reversals(found), found
 
     def test_what_a_soft_finger_costs(self):
-        done = run("choose", "--law", "hertz", "--tolerance", "0.01", "--scene", "--mu", "0.6", "--loads", "0.5,2", "--stiffness", "1000",
-                   "--twist-stiffness", "0.036", "--twist-rate", "2")
+        done = run("choose", "--law", "hertz", "--tolerance", "0.01", "--scene", "--mu", "0.6", "--loads", "0.5,2",
+                   "--stiffness", "1000", "--twist-stiffness", "0.036", "--twist-rate", "2")
         cost = {row["model"]: float(row["nanoseconds"]) for row in csv.DictReader(io.StringIO(done.stdout))}
         self.assertEqual(round(cost["ellipse/radial"] / cost["no torsion"]), 2)
         self.assertEqual(round(cost["table/closest-point"] / cost["no torsion"]), 4)
 
     def test_friction_does_not_know_the_speed(self):
         motion = (DATA / "traces" / "slide_twist_load.csv").read_text().splitlines()
-        slow = [line if line[0] in "#t" else f"{7 * float(line.split(',')[0])}," + line.split(",", 1)[1] for line in motion]
+        slow = [
+            line if line[0] in "#t" else f"{7 * float(line.split(',')[0])}," + line.split(",", 1)[1] for line in motion
+        ]
         for curve in (["ellipse", "--projection", "radial"], ["table"], ["box", "--mu-dynamic", "0.5"]):
-            ever, slower = (rows("replay", "--trace", self.file("trace.csv", "\n".join(lines) + "\n"), *FINGER_OPTIONS, "--curve", *curve)
-                            for lines in (motion, slow))
+            ever, slower = (rows("replay", "--trace", self.file("trace.csv", "\n".join(lines) + "\n"), *FINGER_OPTIONS,
+                                 "--curve", *curve) for lines in (motion, slow))
             self.assertIn("slip", {row["state"] for row in ever})
             for name in ("px", "py", "angle", "fx", "fy", "moment"):
                 self.assertEqual([row[name] for row in ever], [row[name] for row in slower])
 
     def test_a_centre_of_rotation_on_the_x_axis_has_no_force_along_it(self):
         # About (c, 0): v = omega x (r - c).
-        twists = self.file("twists.csv", "vx,vy,omega\n" + "".join(f"0,{-c},1\n" for c in (0.0005, 0.002, 0.004, 0.0055, 0.01)))
+        twists = self.file("twists.csv",
+                           "vx,vy,omega\n" +"".join(f"0,{-c},1\n" for c in (0.0005, 0.002, 0.004, 0.0055, 0.01)))
         square = [(0.005 * x, 0.005 * y) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         turned = [(x * math.cos(0.4) - y * math.sin(0.4), x * math.sin(0.4) + y * math.cos(0.4)) for x, y in square]
         corners = self.file("square.csv", "x,y\n" + "".join(f"{x},{y}\n" for x, y in turned))
-        round_force, square_force = ([abs(row["fx"]) for row in rows("patch", "--quiet", "--patch", patch, "--twists", twists)]
-                                     for patch in ("ellipse:law=hertz,a=0.004,b=0.004", f"polygon:{corners}"))
+        round_force, square_force = ([
+            abs(row["fx"]) for row in rows("patch", "--quiet", "--patch", patch, "--twists", twists)
+        ] for patch in ("ellipse:law=hertz,a=0.004,b=0.004", f"polygon:{corners}"))
         self.assertLess(max(round_force), 1e-12)
         self.assertEqual(round(100 * max(square_force)), 2)
 
     def test_curves_in_the_plane_of_r_and_rho(self):
         springs = ["--stiffness", "1000", "--twist-stiffness", "0.036"]
-        for call in (["p-curves", "--loads", "0,0.5,1", "--points", "9"], ["c-curves", "--cors", "0,0.006,inf", "--loads", "0.5,1"]):
+        for call in (["p-curves", "--loads", "0,0.5,1", "--points",
+                      "9"], ["c-curves", "--cors", "0,0.006,inf", "--loads", "0.5,1"]):
             call += ["--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6"]
             plain, found = rows(*call), rows(*call, *springs)
             self.assertEqual(list(found[0]), [*plain[0], "r", "rho"])
@@ -72,16 +77,20 @@ class Claims(CommandLineTest):
             self.assertEqual([{name: row[name] for name in plain[0]} for row in found], plain)
             for one, other in ((springs[:2], "--twist-stiffness"), (springs[2:], "--stiffness")):
                 self.assert_fails(2, [other, "both"], *call, *one)
-        # A slipping god-object without dampers lies on the p-curve of its load: a Hertz contact of the mean radius of sandpaper, exact.
+        # A slipping god-object without dampers lies on the p-curve of its load: a Hertz contact of the mean radius of
+        # sandpaper, exact.
         springs[3] = repr(1000 * (MU_R / MU) ** 2)
-        block = rows("pivot", "--case", "exact", "--damping", "0", "--release", "from=0.45,to=0.3,over=2", "--duration", "2", "--every", "50")
+        block = rows("pivot", "--case", "exact", "--damping", "0", "--release", "from=0.45,to=0.3,over=2", "--duration",
+                     "2", "--every", "50")
         slips = [row for row in block if row["state"] == "slip"]
         self.assertGreater(len(slips), 5)
         for row in slips:
-            curve = rows("p-curves", "--law", "hertz", "--radius-law", f"constant:a={MU_R / MU * 16 / (3 * math.pi)!r}", "--mu", MU,
-                         "--loads", row["load"], "--points", "2001", *springs)
-            self.assertLess(min(math.hypot(row["r"] / curve[-1]["r"] - point["r"] / curve[-1]["r"],
-                                           row["rho"] / curve[0]["rho"] - point["rho"] / curve[0]["rho"]) for point in curve), 1e-3)
+            curve = rows("p-curves", "--law", "hertz", "--radius-law", f"constant:a={MU_R / MU * 16 / (3 * math.pi)!r}",
+                         "--mu", MU, "--loads", row["load"], "--points", "2001", *springs)
+            self.assertLess(
+                min(
+                    math.hypot(row["r"] / curve[-1]["r"] - point["r"] / curve[-1]["r"], row["rho"] / curve[0]["rho"] -
+                               point["rho"] / curve[0]["rho"]) for point in curve), 1e-3)
 
     def test_smooth_in_a_not_in_b(self):
         for case, slip in (("coupled", 4.5), ("exact", 4.1)):
@@ -116,14 +125,18 @@ class Claims(CommandLineTest):
         self.assertEqual({row["load"] for row in still}, {0.375})
         self.assertAlmostEqual(1e3 * still[0]["cor"], 7.60, delta=0.01)
         self.assertAlmostEqual(1e3 * still[-1]["cor"], 7.70, delta=0.01)
-        released = [row for row in self.pivot("coupled", "--damping", "0", "--release", "from=0.5,to=0.25,over=10")[3] if row["state"] == "slip"]
+        released = [
+            row for row in self.pivot("coupled", "--damping", "0", "--release", "from=0.5,to=0.25,over=10")[3]
+            if row["state"] == "slip"
+        ]
         held = [row for row in released if row["load"] > 0.285]
         self.assertAlmostEqual(1e3 * released[0]["cor"], 7.3, delta=0.05)
         self.assertGreater(held[-1]["cor"], 1)
         self.assertLess(max(row["r"] for row in held) / min(row["r"] for row in held), 1.05)
 
     def test_steps_beyond_the_p_curve(self):
-        found = rows("pivot", "--case", "coupled", "--damping", "0", "--release", "from=0.45,to=0.25,over=2", "--every", "10")
+        found = rows("pivot", "--case", "coupled", "--damping", "0", "--release", "from=0.45,to=0.25,over=2", "--every",
+                     "10")
         steps = sorted(row["trial_r"] - row["r"] for row in found if row["state"] == "slip")
         self.assertEqual([round(1e6 * step) for step in (steps[len(steps) // 2], steps[-1])], [19, 127])
 
@@ -136,19 +149,28 @@ class Claims(CommandLineTest):
 
         for material in table(DATA / "materials.csv"):
             mu, mu_r = float(material["mu"]), float(material["mu_r"])
-            data = self.file("grid.csv", "force,moment\n" + "".join(f"{force!r},{moment!r}\n" for force in forces for moment in moments))
-            loads = [row["hold_load"] for row in rows("hold", "--law", "hertz", "--radius-law", f"constant:a={mu_r / mu * 16 / (3 * math.pi)!r}", "--mu", mu,
-                                                      "--data", data)]
+            data = self.file(
+                "grid.csv",
+                "force,moment\n" +"".join(f"{force!r},{moment!r}\n" for force in forces for moment in moments))
+            loads = [
+                row["hold_load"]
+                for row in rows("hold", "--law", "hertz", "--radius-law",
+                                f"constant:a={mu_r / mu * 16 / (3 * math.pi)!r}", "--mu", mu, "--data", data)
+            ]
             exact = [loads[5 * i:5 * i + 5] for i in range(5)]
             ellipse, box, diamond = ([[bear(force / mu, moment / mu_r) for moment in moments] for force in forces]
                                      for bear in (math.hypot, max, lambda x, y: x + y))
             for less, more in zip(first_cost(exact)[1:], first_cost(exact)):
                 self.assertLess(less, more)
-            self.assertLess(max(1 - less / more for line, other in zip(ellipse, exact) for less, more in zip(line[1:], other[1:])), 0.06)
+            self.assertLess(
+                max(1 - less / more for line, other in zip(ellipse, exact) for less, more in zip(line[1:], other[1:])),
+                0.06)
             if material["material"] == "rayon":
                 self.assertEqual([round(first_cost(grid)[0], 1) for grid in (exact, ellipse, box, diamond)], [4.1] * 4)
-                self.assertEqual([round(first_cost(grid)[-1], 2) for grid in (exact, ellipse, box, diamond)], [1.43, 0.98, 0, 4.1])
-                self.assertAlmostEqual(mu * moments[1] / mu_r, 1.72, delta=0.005)  # from this force on the box sees no moment
+                self.assertEqual([round(first_cost(grid)[-1], 2) for grid in (exact, ellipse, box, diamond)],
+                                 [1.43, 0.98, 0, 4.1])
+                self.assertAlmostEqual(mu * moments[1] / mu_r, 1.72,
+                                       delta=0.005)  # from this force on the box sees no moment
 
     def lost(self, case, *options):
         """The angle [deg] when the block has slid 5 mm past the grip, without dampers."""
@@ -162,7 +184,8 @@ class Claims(CommandLineTest):
             self.assertAlmostEqual(self.lost(case, "--release", "from=0.5,to=0.25,over=10"), angle, delta=0.02)
 
     def test_the_rate_of_release_decides_a_too(self):
-        for offset, over, angles in ((3, 2.5, (10, 15, 0)), (5, 10, (32, 35, 0)), (5, 0.5, (8, 11, 1)), (7, 2.5, (37, 38, 17))):
+        for offset, over, angles in ((3, 2.5, (10, 15, 0)), (5, 10, (32, 35, 0)), (5, 0.5, (8, 11, 1)), (7, 2.5,
+                                                                                                         (37, 38, 17))):
             found = (abs(self.lost(case, "--offset", f"{1e-3 * offset}", "--release", f"from=0.5,to=0,over={over}"))
                      for case in ("coupled", "exact", "uncoupled"))
             self.assertEqual(tuple(map(round, found)), angles)

@@ -20,10 +20,15 @@ QUOTATIONS = {
     "4": ["the friction is independent of sliding speed"],
     "4.1": ["do not present particular differences", "approximated by circles with unitary radius"],
     "4.2": ["the characteristics of the instantaneous sliding motion are preserved"],
-    "6": ["a smooth rotation of the block with a small amount of translation",
-          "a movement with constant pressure and a reconfiguration of the instantaneous center of rotation", "not as much smooth",
-          "unable to simulate a realistic manipulation"],
-    "7": ["easily implemented in real-time", "can predict the frictional behavior of a planar object between two soft finger contacts"],
+    "6": [
+        "a smooth rotation of the block with a small amount of translation",
+        "a movement with constant pressure and a reconfiguration of the instantaneous center of rotation",
+        "not as much smooth", "unable to simulate a realistic manipulation"
+    ],
+    "7": [
+        "easily implemented in real-time",
+        "can predict the frictional behavior of a planar object between two soft finger contacts"
+    ],
 }
 # The one text of three words and more that other pages have in quotation marks: the title of a work.
 TITLES = {"Tangential torque effects on the control of grip forces when holding objects with a precision grip"}
@@ -35,7 +40,10 @@ class Page(CommandLineTest):
     TEXT = (ROOT / "docs" / "paper.md").read_text(encoding="utf-8")
 
     def table(self):
-        return [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in self.TEXT.splitlines() if line.startswith("| ")]
+        return [[cell.strip()
+                 for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
+                for line in self.TEXT.splitlines()
+                if line.startswith("| ")]
 
     def test_no_row_is_empty(self):
         found = self.table()
@@ -55,15 +63,22 @@ class Page(CommandLineTest):
         every = [text for quoted in QUOTATIONS.values() for text in quoted]
         for text in every:
             self.assertEqual(self.TEXT.count(text), 1, text)
-        modules = [module for module in ROOT.iterdir() if module.is_dir() and module.name not in ("build", "out", ".git", "tests")]
-        pages = [*ROOT.glob("*.md"), *(page for module in modules for kind in ("*.md", "*.rst", "*_figures.py") for page in module.rglob(kind))]
+        modules = [
+            module for module in ROOT.iterdir()
+            if module.is_dir() and module.name not in ("build", "out", ".git", "tests")
+        ]
+        pages = [
+            *ROOT.glob("*.md"),
+            *(page for module in modules for kind in ("*.md", "*.rst", "*_figures.py") for page in module.rglob(kind))
+        ]
         pages.remove(ROOT / "docs" / "paper.md")
         self.assertGreater(len(pages), 20)
         for path in pages:
             text = path.read_text(encoding="utf-8")
             for quoted in every:
                 self.assertNotIn(quoted.lower(), re.sub(r"\s+", " ", text).lower(), path)
-            straight = [] if path.suffix == ".py" else re.findall(r'"([^"\n]+)"', re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL))
+            straight = [] if path.suffix == ".py" else re.findall(
+                r'"([^"\n]+)"', re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL))
             for quoted in straight + re.findall(r"“([^”]+)”", text):
                 self.assertTrue(len(quoted.split()) < 3 or quoted in TITLES, f"{path}: is this a quotation? {quoted}")
 
@@ -77,25 +92,37 @@ class Page(CommandLineTest):
 
     def test_every_command_runs(self):
         (self.directory / "data").symlink_to(DATA)
-        calls = sorted({call for row in self.table() for call in re.findall(r"`((?:limitcurve|\$SLIDE) [^`]+)`", row[1])})
+        calls = sorted(
+            {call
+             for row in self.table()
+             for call in re.findall(r"`((?:limitcurve|\$SLIDE) [^`]+)`", row[1])})
         self.assertGreater(len(calls), 10)
         variables = dict(re.findall(r'(?m)^([A-Z]+)="([^"]+)"$', self.TEXT))
         for call in calls:
             while "$" in call:
                 call = re.sub(r"\$([A-Z]+)", lambda name: variables[name[1]], call)
             words = shlex.split(call)
-            done = subprocess.run([EXECUTABLE, *words[1:]], cwd=self.directory, capture_output=True, text=True, check=False, env=os.environ)
+            done = subprocess.run([EXECUTABLE, *words[1:]],
+                                  cwd=self.directory,
+                                  capture_output=True,
+                                  text=True,
+                                  check=False,
+                                  env=os.environ)
             self.assertEqual(done.returncode, 0, f"{call}: {done.stderr}")
 
     def test_every_test_and_file_is_there(self):
-        tests = "\n".join(path.read_text(encoding="utf-8") for suffix in ("cpp", "py") for path in (ROOT / "tests").rglob(f"*.{suffix}"))
+        tests = "\n".join(
+            path.read_text(encoding="utf-8")
+            for suffix in ("cpp", "py")
+            for path in (ROOT / "tests").rglob(f"*.{suffix}"))
         for row in self.table():
             if row[0] == "in the paper":
                 continue
             names = re.findall(r"`([A-Za-z]+)\.([A-Za-z0-9]+|test_\w+)`", row[2])
             self.assertTrue(names, row)
             for suite, name in names:
-                there = (rf"class {suite}\((?:(?!\nclass )[\s\S])*?def {name}\(" if name.startswith("test_") else rf"\({suite}, {name}\)")
+                there = (rf"class {suite}\((?:(?!\nclass )[\s\S])*?def {name}\("
+                         if name.startswith("test_") else rf"\({suite}, {name}\)")
                 self.assertTrue(re.search(there, tests), f"{suite}.{name}")
         for target in re.findall(r"\]\(([^)#]+)\)", self.TEXT):
             self.assertTrue((ROOT / "docs" / target).exists(), target)

@@ -17,7 +17,8 @@ COLUMNS = "vx,vy,omega,fx,fy,moment,power,error"
 
 class Patch(PatchCase):
     def test_columns(self):
-        self.assertEqual(header("patch", "--patch", "rectangle:x=1,y=2", "--twists", self.twists((1.0, 0.0, 0.0))), COLUMNS)
+        self.assertEqual(header("patch", "--patch", "rectangle:x=1,y=2", "--twists", self.twists((1.0, 0.0, 0.0))),
+                         COLUMNS)
 
     def test_tactile_logs_with_a_frame_a_row(self):
         frame = [[max(0, 50 - ((x - 16) ** 2 + 2 * (y - 6) ** 2)) for x in range(32)] for y in range(12)]
@@ -25,28 +26,41 @@ class Patch(PatchCase):
         one = self.file("one.csv", text(frame))
         log = self.file("log.csv", text([sum(frame[::-1], []), sum(frame, [])]))
         expected = self.wrenches(f"image:{one},pixel=0.002", (0.0, 0.0, 1.0), (1.0, 0.3, 9.0))
-        self.assertEqual(self.wrenches(f"image:{log},pixel=0.002,columns=32,frame=2", (0.0, 0.0, 1.0), (1.0, 0.3, 9.0)), expected)
+        self.assertEqual(self.wrenches(f"image:{log},pixel=0.002,columns=32,frame=2", (0.0, 0.0, 1.0), (1.0, 0.3, 9.0)),
+                         expected)
         twists = self.twists((0.0, 0.0, 1.0))
         blocks = self.file("blocks.csv", text(frame) + "\n" + text(frame))
         for image in (f"{log},pixel=0.0002", f"{blocks},pixel=0.002"):  # 2 x 384, and two frames in one picture
-            self.assertRegex(run("patch", "--patch", f"image:{image}", "--twists", twists).stderr, r"warning: .* is it one frame\? columns=N")
+            self.assertRegex(
+                run("patch", "--patch", f"image:{image}", "--twists", twists).stderr,
+                r"warning: .* is it one frame\? columns=N")
         for image in (f"{one},pixel=0.002", f"{log},pixel=0.002,columns=32,frame=1"):
             self.assertEqual(run("patch", "--patch", f"image:{image}", "--twists", twists).stderr, "")
-        for wrong, told in (("columns=32", "a second frame, expected frame=N"), ("columns=32,frame=3", "no frame 3 of 2"), ("columns=31,frame=1", "a row of 384 pixels"),
-                            ("columns=384,frame=1", "of several rows"), ("columns=1.5", "whole number"), ("frame=1", "only with columns=N")):
+        for wrong, told in (("columns=32", "a second frame, expected frame=N"), ("columns=32,frame=3",
+                                                                                 "no frame 3 of 2"),
+                            ("columns=31,frame=1", "a row of 384 pixels"), ("columns=384,frame=1", "of several rows"),
+                            ("columns=1.5", "whole number"), ("frame=1", "only with columns=N")):
             self.refused(f"image:{log},pixel=0.002,{wrong}", told)
 
     def test_half_spaces(self):
-        """The door's columns; the round contact of `curve` is the ellipse of `patch`. What they keep is asserted in half_spaces_test.cpp."""
+        """The door's columns; the round contact of `curve` is the ellipse of `patch`. What they keep is asserted in
+        half_spaces_test.cpp."""
         call = ["patch", "--patch", "rectangle:x=0.2,y=0.1", "--half-spaces"]
         self.assertEqual(header(*call, "14"), "kind,fx,fy,moment,share")
         found = rows(*call, "20")
         self.assertEqual([sum(row["kind"] == kind for row in found) for kind in ("row", "vertex")], [14, 18])
-        products = [[sum(a[key] * b[key] for key in ("fx", "fy", "moment")) for a in found if a["kind"] == "row"] for b in found if b["kind"] == "vertex"]
+        products = [[sum(a[key] * b[key]
+                         for key in ("fx", "fy", "moment"))
+                     for a in found
+                     if a["kind"] == "row"]
+                    for b in found
+                    if b["kind"] == "vertex"]
         self.assertAlmostEqual(max(map(max, products)), 1, delta=1e-9)
-        self.assertEqual(rows("curve", "--law", "hertz", "--half-spaces", "14"), rows("patch", "--patch", "ellipse:law=hertz,a=1,b=1", "--half-spaces", "14"))
+        self.assertEqual(rows("curve", "--law", "hertz", "--half-spaces", "14"),
+                         rows("patch", "--patch", "ellipse:law=hertz,a=1,b=1", "--half-spaces", "14"))
         one = self.file("one.csv", "x,y,load\n1,2,3\n")
-        for wrong, told in (([*call, "7"], "--half-spaces"), ([*call, "8", "--twists", self.twists((1.0, 0.0, 0.0))], "expected one of"),
+        for wrong, told in (([*call, "7"], "--half-spaces"), ([*call, "8", "--twists",
+                                                               self.twists((1.0, 0.0, 0.0))], "expected one of"),
                             (["patch", "--patch", f"points:{one}", "--half-spaces", "8"], "single point")):
             done = run(*wrong)
             self.assertEqual(done.returncode, 2)
@@ -55,11 +69,22 @@ class Patch(PatchCase):
     def test_bolts_tyres_and_pucks(self):
         """The commands of docs/not_robots.md give its answers."""
         page = (DATA.parent / "docs" / "not_robots.md").read_text(encoding="utf-8")
-        lines = [re.split(r" \| ", line.strip("| "))[1:] for line in page.splitlines() if "limitcurve" in line and line.startswith("|")]
+        lines = [
+            re.split(r" \| ", line.strip("| "))[1:]
+            for line in page.splitlines()
+            if "limitcurve" in line and line.startswith("|")
+        ]
         self.assertEqual(len(lines), 6)
         for command, column, answer in lines:
             path = os.path.dirname(EXECUTABLE) + os.pathsep + os.environ["PATH"]
-            done = subprocess.run(["sh", "-c", command.strip("`")], cwd=self.folder, env={**os.environ, "PATH": path}, capture_output=True, text=True, check=True)
+            done = subprocess.run(["sh", "-c", command.strip("`")],
+                                  cwd=self.folder,
+                                  env={
+                                      **os.environ, "PATH": path
+                                  },
+                                  capture_output=True,
+                                  text=True,
+                                  check=True)
             row, = csv.DictReader(io.StringIO(done.stdout))
             self.assertAlmostEqual(float(row[column.strip("`")]) / float(answer.split("=")[-1]), 1, delta=5e-4)
 
@@ -78,14 +103,20 @@ class Patch(PatchCase):
         frames = "\r\nFrame 1\r\n1,0,3\r\n0,2,0\r\n\r\nFrame 2\r\n5,0,1\r\n1,1,1\r\n@@\r\n"
         movie, plain = self.file("映画.asf", header + frames), self.file("plain.csv", "5,0,1\n1,1,1\n")
         twist = (1.0, 0.2, 30.0)
-        self.assertEqual(self.wrenches(f"image:{movie},frame=2", twist), self.wrenches(f"image:{plain},pixel=0.004x0.005", twist))
-        self.assertEqual(self.wrenches(f"image:{movie},frame=2,pixel=0.1", twist), self.wrenches(f"image:{plain},pixel=0.1", twist))
+        self.assertEqual(self.wrenches(f"image:{movie},frame=2", twist),
+                         self.wrenches(f"image:{plain},pixel=0.004x0.005", twist))
+        self.assertEqual(self.wrenches(f"image:{movie},frame=2,pixel=0.1", twist),
+                         self.wrenches(f"image:{plain},pixel=0.1", twist))
         self.refused(f"image:{movie}", "映画.asf:13", "frame=N")
         self.refused(f"image:{movie},frame=3", "no frame 3")
         self.refused(f"image:{plain},frame=1,pixel=1", "frame: only")
-        self.refused(f"image:{self.file('bad.asf', header + 'Frame 1' + chr(10) + '1,x,3' + chr(10))}", "bad.asf:9", "'x'")
-        self.refused(f"image:{self.file('ragged.asf', header + 'Frame 1' + chr(10) + '1,2,3' + chr(10) + '1,2' + chr(10))}", "ragged.asf:10", "expected 3")
-        self.refused(f"image:{self.file('inch.asf', header.replace('4.0 mm', '4.0 in') + frames)},frame=1", "inch.asf:5", "in mm")
+        self.refused(f"image:{self.file('bad.asf', header + 'Frame 1' + chr(10) + '1,x,3' + chr(10))}", "bad.asf:9",
+                     "'x'")
+        self.refused(
+            f"image:{self.file('ragged.asf', header + 'Frame 1' + chr(10) + '1,2,3' + chr(10) + '1,2' + chr(10))}",
+            "ragged.asf:10", "expected 3")
+        self.refused(f"image:{self.file('inch.asf', header.replace('4.0 mm', '4.0 in') + frames)},frame=1",
+                     "inch.asf:5", "in mm")
 
     def test_a_pixel_without_sensor_is_said(self):
         image = self.file("image.csv", "1,B, 3\n,2,nan\n")
@@ -109,11 +140,14 @@ class Patch(PatchCase):
 
     def test_files_with_bom_crlf_comments_quotes_and_other_columns(self):
         plain = self.file("plain.csv", "x,y\n0,0\n2,0\n0,1\n")
-        odd = self.file("odd, name.csv", b'\xef\xbb\xbf# corners\r\n"y",note,x\r\n0,a,0\r\n\r\n0,"b, c",2\r\n1,c,0\r\n0,a,0\r\n')
-        self.assertEqual(self.wrenches(f"polygon:{plain}", (1.0, 0.2, 0.3)), self.wrenches(f"polygon:{odd}", (1.0, 0.2, 0.3)))
+        odd = self.file("odd, name.csv",
+                        b'\xef\xbb\xbf# corners\r\n"y",note,x\r\n0,a,0\r\n\r\n0,"b, c",2\r\n1,c,0\r\n0,a,0\r\n')
+        self.assertEqual(self.wrenches(f"polygon:{plain}", (1.0, 0.2, 0.3)),
+                         self.wrenches(f"polygon:{odd}", (1.0, 0.2, 0.3)))
         image = self.file("image.csv", b"\xef\xbb\xbf1, 2\r\n\r\n3,4\r\n")
         plain = self.file("plain_image.csv", "1,2\n3,4\n")
-        self.assertEqual(self.wrenches(f"image:{plain},pixel=1", (1.0, 0.2, 0.3)), self.wrenches(f"image:{image},pixel=1", (1.0, 0.2, 0.3)))
+        self.assertEqual(self.wrenches(f"image:{plain},pixel=1", (1.0, 0.2, 0.3)),
+                         self.wrenches(f"image:{image},pixel=1", (1.0, 0.2, 0.3)))
 
     def test_bad_patches_name_the_place(self):
         points = "x,y,load\n0,0,1\n"
@@ -139,7 +173,8 @@ class Patch(PatchCase):
         self.refused(f"image:{self.file('i.csv', '')},pixel=1", "i.csv:1:1", "empty")
         self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3' + chr(10))},pixel=1", "i.csv:2:2", "expected 2")
         self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3,x' + chr(10))},pixel=1", "i.csv:2:3")
-        self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3,-4' + chr(10))},pixel=1", "i.csv: row 2, column 2: a pressure of -4", "offset")
+        self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3,-4' + chr(10))},pixel=1",
+                     "i.csv: row 2, column 2: a pressure of -4", "offset")
         self.refused(f"image:{self.file('i.csv', '0,0' + chr(10))},pixel=1", "pressure 0")
 
     def test_bad_polygons_name_the_vertex(self):
@@ -160,7 +195,8 @@ class Patch(PatchCase):
 
 class Slip(PatchCase):
     def slips(self, contact, columns, wrenches):
-        data = self.file("wrenches.csv", columns + "\n" + "".join(",".join(map(repr, wrench)) + "\n" for wrench in wrenches))
+        data = self.file("wrenches.csv",
+                         columns + "\n" +"".join(",".join(map(repr, wrench)) + "\n" for wrench in wrenches))
         return rows("patch", *contact, "--wrenches", data)
 
     def of(self, patch, *wrenches, mu=0.5):
@@ -174,21 +210,32 @@ class Slip(PatchCase):
         for row, point in zip(found, slip, strict=True):
             self.assertAlmostEqual(row["hold_load"] / point["load"], 1, delta=1e-9)
             self.assertAlmostEqual(row["force"] * row["slide"] + row["moment"] * row["spin"], 1, delta=1e-12)
-            self.assertAlmostEqual(-row["slide"], -1 / row["force"] if math.isinf(point["c"]) else point["c"] * row["spin"], delta=1e-6 * abs(row["slide"]))
+            self.assertAlmostEqual(-row["slide"],
+                                   -1 / row["force"] if math.isinf(point["c"]) else point["c"] * row["spin"],
+                                   delta=1e-6 * abs(row["slide"]))
             self.assertLess(row["error"], 1e-9)
 
     def test_where_nothing_slips(self):
         point = f"points:{self.file('one.csv', 'x,y,load' + chr(10) + '0.1,0.2,3' + chr(10))}"
         zero, turned, held = self.of(point, (0.0, 0.0, 0.0), (0.0, 0.0, -1e-3), (0.3, 0.7, 0.01))
         self.assertEqual((zero["hold_load"], turned["hold_load"]), (0, math.inf))
-        for row in (zero, turned, *self.slips(("--law", "hertz", "--radius-law", "constant:a=1"), "force,moment", [(0.0, 0.0)])):
-            self.assertTrue(all(math.isnan(value) for name, value in row.items() if name in ("vx", "vy", "omega", "slide", "spin", "error")), row)
+        for row in (zero, turned, *self.slips(
+            ("--law", "hertz", "--radius-law", "constant:a=1"), "force,moment", [(0.0, 0.0)])):
+            self.assertTrue(
+                all(
+                    math.isnan(value)
+                    for name, value in row.items()
+                    if name in ("vx", "vy", "omega", "slide", "spin", "error")), row)
         self.assertAlmostEqual(0.3 * held["vx"] + 0.7 * held["vy"], 1, delta=1e-14)
         data = self.file("w.csv", "fx,fy,moment\n1,2,3\n")
         pad = ("--patch", "rectangle:x=1,y=1")
-        for arguments, part in ((pad, "--wrenches"), ((*pad, "--wrenches", data, "--load", 1), "--load"), ((*pad, "--law", "hertz", "--wrenches", data), "--law"),
-                                (("--law", "hertz", "--wrenches", data), "--radius-law"), ((*pad, "--radius-law", "constant:a=1", "--wrenches", data), "--radius-law"),
-                                (("--law", "hertz", "--twists", data), "--wrenches"), ((*pad, "--wrenches", self.twists((1.0, 0.0, 0.0))), "no column 'fx'")):
+        for arguments, part in ((pad, "--wrenches"), ((*pad, "--wrenches", data, "--load", 1), "--load"),
+                                ((*pad, "--law", "hertz", "--wrenches", data),
+                                 "--law"), (("--law", "hertz", "--wrenches", data), "--radius-law"),
+                                ((*pad, "--radius-law", "constant:a=1", "--wrenches", data),
+                                 "--radius-law"), (("--law", "hertz", "--twists", data),
+                                                   "--wrenches"), ((*pad, "--wrenches", self.twists(
+                                                       (1.0, 0.0, 0.0))), "no column 'fx'")):
             done = run("patch", *arguments)
             self.assertEqual(done.returncode, 2)
             self.assertIn(part, done.stderr)

@@ -15,9 +15,13 @@ class FitFriction(PatchCase):
         return {row["parameter"]: row for row in rows("fit", "friction", "--patch", patch, "--data", data, *options)}
 
     def test_measured_pushes_are_explained_by_the_points_and_not_by_the_ellipsoid(self):
-        figures = {"hardboard": ((4.467, 0.045), (-0.034, 0.046), (-0.361, 0.064)), "plywood": ((5.326, 0.060), (-0.030, 0.036), (-0.288, 0.038))}
+        figures = {
+            "hardboard": ((4.467, 0.045), (-0.034, 0.046), (-0.361, 0.064)),
+            "plywood": ((5.326, 0.060), (-0.030, 0.036), (-0.288, 0.038))
+        }
         for name, (mu, drift, drift_ellipsoid) in figures.items():
-            found = self.fit(f"points:{DATA}/measured/tripod_{name}_a_points.csv", DATA / "measured" / f"tripod_{name}_a.csv")
+            found = self.fit(f"points:{DATA}/measured/tripod_{name}_a_points.csv",
+                             DATA / "measured" / f"tripod_{name}_a.csv")
             for parameter, (value, error) in (("mu", mu), ("drift", drift), ("drift_ellipsoid", drift_ellipsoid)):
                 self.assertAlmostEqual(found[parameter]["value"], value, delta=6e-4)
                 self.assertAlmostEqual(found[parameter]["std_error"], error, delta=6e-4)
@@ -45,7 +49,8 @@ class FitFriction(PatchCase):
         header, *lines = data.read_text().splitlines()
         names = header.split(",")
         rows = [change(i, dict(zip(names, map(float, line.split(","))))) for i, line in enumerate(lines)]
-        return self.file(f"{name}.csv", "\n".join([header, *(",".join(repr(row[name]) for name in names) for row in rows)]) + "\n")
+        return self.file(f"{name}.csv",
+                         "\n".join([header, *(",".join(repr(row[name]) for name in names) for row in rows)]) + "\n")
 
     @staticmethod
     def reacting(row):
@@ -55,21 +60,26 @@ class FitFriction(PatchCase):
         # Logs of the reaction gave a negative mu, with exit 0.
         patch, data = self.pushes(self.MOVED)
         for against in (range(5), range(1, 5)):
-            done = run("fit", "friction", "--patch", patch, "--data", self.changed(data, lambda i, row: self.reacting(row) if i in against else row))
+            done = run("fit", "friction", "--patch", patch, "--data",
+                       self.changed(data, lambda i, row: self.reacting(row) if i in against else row))
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             self.assertIn(f"push {against[0] + 1}: negative power, as in {len(against)} of 5 pushes", done.stderr)
             self.assertIn("reaction", done.stderr)
-        done = run("fit", "friction", "--patch", patch, "--data", self.changed(data, lambda i, row: self.reacting(row) if i == 2 else row))
+        done = run("fit", "friction", "--patch", patch, "--data",
+                   self.changed(data, lambda i, row: self.reacting(row) if i == 2 else row))
         self.assertIn("push 3 of 5 (the first is 1): negative power, left out", done.stderr)
         self.assertTrue(done.stdout.splitlines()[1].startswith("mu,4"), done.stdout)
 
     def test_other_units_are_warned_of(self):
         patch, data = self.pushes(self.MOVED)
         def scaled(**factors):
-            return self.changed(data, lambda _, row: {name: value * factors.get(name, 1) for name, value in row.items()}, "_".join(factors))
+            return self.changed(data, lambda _, row: {
+                name: value * factors.get(name, 1)
+                for name, value in row.items()
+            }, "_".join(factors))
 
-        for changed, part in ((scaled(dx=1000, dy=1000), "in metres?"), (scaled(dtheta=57.3), "in radians?"), (scaled(moment=1000), "in N m"),
-                              (data, "")):
+        for changed, part in ((scaled(dx=1000, dy=1000), "in metres?"), (scaled(dtheta=57.3), "in radians?"),
+                              (scaled(moment=1000), "in N m"), (data, "")):
             done = run("fit", "friction", "--patch", patch, "--data", changed)
             self.assertIn(part, done.stderr)
             self.assertEqual("warning" in done.stderr, part != "", done.stderr)
@@ -79,10 +89,11 @@ class FitFriction(PatchCase):
         few = self.file("few.csv", self.pushes([(0.01, 0.0, 0.1), (0.0, 0.01, 0.0)])[1].read_text())
         still = self.file("still.csv", self.pushes([(0.01, 0.0, 0.1), (0.0, 0.0, 0.0)])[1].read_text())
         torn = self.file("torn.csv", "force_x,force_y,moment,dx,dy,dtheta\n1,2,3,4,5\n")
-        for arguments, part in ((("--patch", patch, "--data", still), "still.csv:3"),
-                                (("--patch", patch, "--data", few), "expected at least 3"),
-                                (("--patch", patch, "--data", torn), "torn.csv:2"), (("--patch", patch), "--data"), (("--data", data), "--patch"),
-                                (("--patch", patch, "--data", patch[7:]), "no column 'force_x'")):
+        for arguments, part in ((("--patch", patch, "--data", still), "still.csv:3"), (("--patch", patch, "--data",
+                                                                                        few), "expected at least 3"),
+                                (("--patch", patch, "--data", torn), "torn.csv:2"), (("--patch", patch), "--data"),
+                                (("--data", data), "--patch"), (("--patch", patch, "--data", patch[7:]),
+                                                                "no column 'force_x'")):
             done = run("fit", "friction", *arguments)
             self.assertEqual(done.returncode, 2)
             self.assertIn(part, done.stderr)
@@ -107,7 +118,8 @@ class HowWrongIsRound(PatchCase):
 
     def test_columns(self):
         self.assertEqual(header("validate", "--patch", "rectangle:x=1,y=1"), self.COLUMNS)
-        self.assertEqual(header("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 0.1), "model,parameter,error,nanoseconds,chosen")
+        self.assertEqual(header("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 0.1),
+                         "model,parameter,error,nanoseconds,chosen")
 
     def test_a_friction_factor_of_all_directions_is_one_of_mu(self):
         disc = "ellipse:law=hertz,a=0.004,b=0.004"
@@ -119,18 +131,24 @@ class HowWrongIsRound(PatchCase):
             for one, other in zip(rows("translate", "--patch", patch, "--mu", "0.6"), twice, strict=True):
                 self.assertAlmostEqual(other["value"], one["value"], delta=1e-12, msg=one)
                 self.assertAlmostEqual(other["max_error"], one["max_error"], delta=1e-9)
-        self.assertIn("a disc has 2 times mu", run("choose", "--patch", disc + ",mx=2,my=2", "--tolerance", "0.1").stderr)
+        self.assertIn("a disc has 2 times mu",
+                      run("choose", "--patch", disc + ",mx=2,my=2", "--tolerance", "0.1").stderr)
 
     def test_engines_with_two_coefficients_of_friction_get_both(self):
         patch = "rectangle:x=0.02,y=0.01,mx=2,my=0.5"
         spin = rows("patch", "--patch", patch, "--twists", self.twists((0, 0, 1)))[0]["moment"]
         done = run("translate", "--patch", patch, "--mu", "0.4")
-        found = {(row["engine"], row["parameter"]): float(row["value"]) for row in csv.DictReader(done.stdout.splitlines())}
+        found = {
+            (row["engine"], row["parameter"]): float(row["value"])
+            for row in csv.DictReader(done.stdout.splitlines())
+        }
         self.assertEqual({engine for engine, _ in found}, {"mujoco", "gazebo", "gz-sim", "ode"})
-        for engine, along, across, moment in (("mujoco", "pair.friction[0]", "pair.friction[1]", found["mujoco", "pair.friction[2]"]),
+        for engine, along, across, moment in (("mujoco", "pair.friction[0]", "pair.friction[1]",
+                                               found["mujoco", "pair.friction[2]"]),
                                               ("ode", "surface.mu", "surface.mu2", found["ode", "surface.rhoN"]),
-                                              ("gazebo", "surface/friction/ode/mu", "surface/friction/ode/mu2", found["gazebo", "surface/friction/torsional/coefficient"]
-                                               * 3 * math.pi / 16 * found["gazebo", "surface/friction/torsional/patch_radius"])):
+                                              ("gazebo", "surface/friction/ode/mu", "surface/friction/ode/mu2",
+                                               found["gazebo", "surface/friction/torsional/coefficient"] * 3 * math.pi /
+                                               16 * found["gazebo", "surface/friction/torsional/patch_radius"])):
             self.assertAlmostEqual(found[engine, along], 0.8, delta=1e-12)
             self.assertAlmostEqual(found[engine, across], 0.2, delta=1e-12)
             self.assertAlmostEqual(moment, 0.4 * spin, delta=1e-14)
@@ -141,7 +159,8 @@ class HowWrongIsRound(PatchCase):
 
     def test_choose_takes_the_disc_where_it_will_do(self):
         def chosen(patch, tolerance):
-            (row,) = (row for row in rows("choose", "--quiet", "--patch", patch, "--tolerance", tolerance) if row["chosen"] == "true")
+            (row, ) = (row for row in rows("choose", "--quiet", "--patch", patch, "--tolerance", tolerance)
+                       if row["chosen"] == "true")
             return row["model"].split(":")[0]
 
         self.assertEqual(chosen("ellipse:law=uniform,a=0.004,b=0.004", 1e-6), "disc")
@@ -154,11 +173,13 @@ class HowWrongIsRound(PatchCase):
     def test_bad_usage(self):
         one = self.file("one.csv", "x,y,load\n1,2,3\n")
         for arguments, part in ((("validate", "--patch", f"points:{one}"), "on one point"),
-                                (("validate", "--patch", "rectangle:x=1,y=1", "--law", "hertz"), "--law"),
-                                (("choose", "--patch", "rectangle:x=1,y=1", "--law", "hertz", "--tolerance", 0.1), "--law and --patch"),
-                                (("choose", "--tolerance", 0.1), "--law"), (("choose", "--patch", "rectangle:x=1,y=1"), "--tolerance"),
-                                (("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 0.1, "--scene"), "--scene"),
-                                (("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 7), "tolerance")):
+                                (("validate", "--patch", "rectangle:x=1,y=1", "--law", "hertz"),
+                                 "--law"), (("choose", "--patch", "rectangle:x=1,y=1", "--law", "hertz", "--tolerance",
+                                             0.1), "--law and --patch"), (("choose", "--tolerance", 0.1), "--law"),
+                                (("choose", "--patch", "rectangle:x=1,y=1"),
+                                 "--tolerance"), (("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 0.1,
+                                                   "--scene"), "--scene"), (("choose", "--patch", "rectangle:x=1,y=1",
+                                                                             "--tolerance", 7), "tolerance")):
             done = run(*arguments)
             self.assertEqual(done.returncode, 2, arguments)
             self.assertIn(part, done.stderr)
@@ -175,15 +196,18 @@ class ReplayPatch(PatchCase):
 
     def test_on_a_body_that_the_trace_moves(self):
         turning = DATA / "scenes" / "turntable.csv"
-        found = rows("replay", "--trace", turning, "--body", "trace", "--patch", "rectangle:x=0.02,y=0.01", *self.SPRINGS)
+        found = rows("replay", "--trace", turning, "--body", "trace", "--patch", "rectangle:x=0.02,y=0.01",
+                     *self.SPRINGS)
         self.assertIn("slip", {row["state"] for row in found})
 
     def test_bad_usage(self):
         rectangle = ("--patch", "rectangle:x=0.02,y=0.01")
         for more, part in (((), "--law and --patch"), ((*rectangle, "--law", "hertz"), "--law and --patch"),
-                           ((*rectangle, "--radius-law", "constant:a=1"), "--radius-law"), ((*rectangle, "--mu-r", 1), "--mu-r"),
-                           ((*rectangle, "--projection", "radial"), "--projection"), ((*rectangle, "--curve", "box"), "--curve"),
-                           ((*rectangle, "--point-radius", 1e-9), "point_radius"),
+                           ((*rectangle, "--radius-law", "constant:a=1"),
+                            "--radius-law"), ((*rectangle, "--mu-r", 1), "--mu-r"), ((*rectangle, "--projection",
+                                                                                      "radial"), "--projection"),
+                           ((*rectangle, "--curve", "box"), "--curve"), ((*rectangle, "--point-radius", 1e-9),
+                                                                         "point_radius"),
                            (("--law", "hertz", "--radius-law", "constant:a=1", "--point-radius", 1), "--point-radius")):
             done = run(*self.TRACE, *self.SPRINGS, *more)
             self.assertEqual(done.returncode, 2, more)

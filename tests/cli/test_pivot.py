@@ -12,13 +12,16 @@ CASES = ["coupled", "uncoupled", "exact"]
 
 class Pivot(CommandLineTest):
     def test_columns(self):
-        self.assertEqual(header("pivot", "--case", "coupled", "--duration", "0"),
-                         "time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho")
+        self.assertEqual(
+            header("pivot", "--case", "coupled", "--duration", "0"),
+            "time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho")
 
     def test_grip_from_a_file_is_the_release(self):
         grip = self.file("grip.csv", "# eased\ntime,load\n0,1.5\n1,0.5\n")
         call = ["pivot", "--case", "exact", "--duration", "1"]
-        self.assertEqual(rows(*call, "--grip", grip)[-1]["angle"], rows(*call, "--release", "over=1,from=1.5,to=0.5")[-1]["angle"])
+        self.assertEqual(
+            rows(*call, "--grip", grip)[-1]["angle"],
+            rows(*call, "--release", "over=1,from=1.5,to=0.5")[-1]["angle"])
 
     def test_every_nth_row(self):
         call = ["pivot", "--case", "exact", "--duration", "0.1"]
@@ -28,10 +31,12 @@ class Pivot(CommandLineTest):
     def test_angles(self):
         call = ["pivot", "--case", "coupled", "--duration", "1", "--operator"]
         expected = rows(*call, "target=0.5235987755982988")
-        self.assertEqual([row["load"] for row in rows(*call, "target=0.5235987755982988rad")], [row["load"] for row in expected])
+        self.assertEqual([row["load"] for row in rows(*call, "target=0.5235987755982988rad")],
+                         [row["load"] for row in expected])
         self.assertEqual([row["load"] for row in rows(*call, "target=30deg")], [row["load"] for row in expected])
 
-    # Eq. (7): distance and angle between the god-object of one finger and its goal, before and after step b. Geometry, whatever the dampers.
+    # Eq. (7): distance and angle between the god-object of one finger and its goal, before and after step b. Geometry,
+    # whatever the dampers.
     def test_the_god_object_in_the_plane_of_r_and_rho(self):
         mu, mu_r, stiffness = 1.67, 0.01011, 1000
         twist_stiffness = stiffness * (mu_r / mu) ** 2
@@ -50,15 +55,20 @@ class Pivot(CommandLineTest):
                     self.assertGreaterEqual(row["trial_rho"], row["rho"] * (1 - 1e-12))
                     self.assertGreater(row["trial_r"] + 0.006 * row["trial_rho"], row["r"] + 0.006 * row["rho"])
                 if row["state"] == "slip" and case == "coupled":
-                    on_curve = math.hypot(stiffness * row["r"] / (mu * row["load"]), twist_stiffness * row["rho"] / (mu_r * row["load"]))
+                    on_curve = math.hypot(stiffness * row["r"] / (mu * row["load"]),
+                                          twist_stiffness * row["rho"] / (mu_r * row["load"]))
                     self.assertAlmostEqual(on_curve, 1, delta=1e-9)
-                    self.assertAlmostEqual(row["trial_rho"] * row["r"], row["trial_r"] * row["rho"], delta=1e-12)  # radially
+                    self.assertAlmostEqual(row["trial_rho"] * row["r"], row["trial_r"] * row["rho"],
+                                           delta=1e-12)  # radially
                 if row["state"] == "free":
                     self.assertEqual([row[name] for name in ("r", "rho", "trial_r", "trial_rho")], [0, 0, 0, 0])
-            # With dampers, too, the god-object turns back by what the block has turned on, not by 1 + b/(k dt) = 6 times that.
+            # With dampers, too, the god-object turns back by what the block has turned on, not by 1 + b/(k dt) = 6
+            # times that.
             found = rows(*release, "--damping", "5")
-            turns = sorted((row["trial_rho"] - row["rho"]) / (row["angle"] - before["angle"]) for before, row in zip(found, found[1:])
-                           if case != "uncoupled" and before["state"] == row["state"] == "slip" and row["angle"] - before["angle"] > 1e-4)
+            turns = sorted((row["trial_rho"] - row["rho"]) / (row["angle"] - before["angle"])
+                           for before, row in zip(found, found[1:])
+                           if case != "uncoupled" and before["state"] == row["state"] == "slip" and row["angle"] -
+                           before["angle"] > 1e-4)
             if turns:
                 self.assertGreater(len(turns), 50)
                 self.assertAlmostEqual(turns[len(turns) // 2], 1, delta=0.2)
@@ -69,7 +79,9 @@ class Pivot(CommandLineTest):
         self.assertGreater(len(table), 2)
         for row in table:
             call = ["pivot", "--case", "coupled", "--duration", "0.02"]
-            self.assertEqual(run(*call, "--material", row["material"]).stdout, run(*call, "--mu", row["mu"], "--mu-r", row["mu_r"]).stdout)
+            self.assertEqual(
+                run(*call, "--material", row["material"]).stdout,
+                run(*call, "--mu", row["mu"], "--mu-r", row["mu_r"]).stdout)
 
     # By hand: eq. (19) with half the weight for each finger, F/mu and 5 mm F/mu_r.
     def test_a_grip_that_cannot_hold_is_warned_of(self):
@@ -80,35 +92,47 @@ class Pivot(CommandLineTest):
                          ["--grip", self.file("grip.csv", "time,load\n0,0.9\n1,2\n")]]:
                 done = run(*call, *grip)
                 self.assertEqual(done.returncode, 0)
-                self.assertRegex(done.stderr, r"\Alimitcurve: warning: the grip begins at 0.9 N a finger and does not hold the block: that needs \S+ N\n\Z")
+                self.assertRegex(
+                    done.stderr,
+                    r"\Alimitcurve: warning: the grip begins at 0.9 N a finger and does not hold the block: that needs \S+ N\n\Z"
+                )
                 self.assert_close(float(done.stderr.split()[-2]), needed, 5e-3)  # of three digits
             self.assertEqual(run(*call, "--release", f"from={needed * (1 + 1e-9)},to=0,over=10").stderr, "")
-        done = run("pivot", "--case", "exact", "--mu", "0", "--mu-r", "0", "--twist-stiffness", "0.03", "--duration", "0.1")
+        done = run("pivot", "--case", "exact", "--mu", "0", "--mu-r", "0", "--twist-stiffness", "0.03", "--duration",
+                   "0.1")
         self.assertIn("no load does", done.stderr)
 
     def test_the_operator_regrips_out_of_a_slide(self):
         for material in ["sandpaper", "rayon", "suede"]:
             call = ["pivot", "--material", material, "--operator"]
-            let, kept = (rows(*call, "target=30deg" + more, "--case", "uncoupled")[-1] for more in (",on-slide=keep", ""))
+            let, kept = (rows(*call, "target=30deg" + more, "--case", "uncoupled")[-1]
+                         for more in (",on-slide=keep", ""))
             self.assertEqual((let["state"], kept["state"]), ("free", "stick"), material)
             self.assertLess(kept["grip_slip"], 0.005)
             self.assertLess(abs(kept["angle"]), math.radians(1))
             # Runs to 30 degrees stay as they are, every bit.
             for case in ["coupled", "exact"]:
-                texts = {run(*call, "target=30deg" + more, "--case", case).stdout for more in ("", ",on-slide=keep", ",on-slide=regrip")}
+                texts = {
+                    run(*call, "target=30deg" + more, "--case", case).stdout
+                    for more in ("", ",on-slide=keep", ",on-slide=regrip")
+                }
                 self.assertEqual(len(texts), 1, (material, case))
         # Where it cannot turn any farther the block is kept too.
         for case in ["coupled", "exact"]:
             self.assertEqual(rows("pivot", "--case", case, "--operator", "target=80deg")[-1]["state"], "stick")
 
-    # Before the block leaves the fingers it turns by so much. The scan's stiffnesses are so many times k_l (mu_r/mu_l)^2.
+    # Before the block leaves the fingers it turns by so much. The scan's stiffnesses are so many times k_l
+    # (mu_r/mu_l)^2.
     def test_the_twist_stiffness_decides_what_the_radial_projection_does(self):
         usual = 1000 * (0.01011 / 1.67) ** 2
         for case, expected in [("coupled", [86, 50, 13, 1.5]), ("exact", [46, 53, 54, 54])]:
             for times, angle in zip([0.1, 1, 10, 100], expected):
                 found = rows("pivot", "--case", case, "--twist-stiffness", times * usual)
                 held = [row["angle"] for row in found if row["state"] != "free"]
-                self.assertAlmostEqual(math.degrees(max(held)), angle, delta=0.5 if angle > 2 else 0.05, msg=f"{case} {times}")
+                self.assertAlmostEqual(math.degrees(max(held)),
+                                       angle,
+                                       delta=0.5 if angle > 2 else 0.05,
+                                       msg=f"{case} {times}")
 
     # Whether the block turns in case B is decided by the offset, our choice: mu_r/mu_l is 6.05 mm.
     def test_the_offset_decides_case_b(self):
@@ -118,7 +142,11 @@ class Pivot(CommandLineTest):
             self.assertTrue(least <= angle <= most, (offset, angle))
 
     def test_curve_projection_and_radius_law_of_ones_own(self):
-        named = {"coupled": ("ellipse", "radial"), "uncoupled": ("box", "closest-point"), "exact": ("table", "closest-point")}
+        named = {
+            "coupled": ("ellipse", "radial"),
+            "uncoupled": ("box", "closest-point"),
+            "exact": ("table", "closest-point")
+        }
         release = ["--release", "from=0.45,to=0.3,over=2", "--duration", "2"]
         text = {case: run("pivot", "--case", case, *release).stdout for case in CASES}
         for case, (curve, projection) in named.items():
@@ -130,7 +158,8 @@ class Pivot(CommandLineTest):
         self.assertEqual(run("pivot", "--projection", "closest-point", *release).stdout, text["exact"])
         self.assertEqual(run("pivot", "--curve", "table", *release).stdout, text["exact"])
         self.assertEqual(run("pivot", "--case", "coupled", "--projection", "radial", *release).stdout, text["coupled"])
-        self.assertNotEqual(run("pivot", "--case", "coupled", "--projection", "closest-point", *release).stdout, text["coupled"])
+        self.assertNotEqual(
+            run("pivot", "--case", "coupled", "--projection", "closest-point", *release).stdout, text["coupled"])
         done = run("pivot", "--curve", "exact", *release)
         self.assertRegex(done.stderr, r"\Alimitcurve: exact: a table with an error of at most \S+ in unit wrenches\n\Z")
         self.assertNotEqual(done.stdout, text["exact"])
@@ -148,16 +177,22 @@ class Pivot(CommandLineTest):
             for name in ("angle", "grip_slip", "r", "rho", "trial_rho"):
                 self.assertAlmostEqual(first[-1][name], second[-1][name], delta=1e-8, msg=name)
         # Measured moments, Gamma = mu_r P, are the same finger too.
-        moments = self.file("moments.csv", "load,moment\n" + "".join(f"{load},{0.01011 * load!r}\n" for load in (0.1, 0.5, 2)))
+        moments = self.file("moments.csv",
+                            "load,moment\n" +"".join(f"{load},{0.01011 * load!r}\n" for load in (0.1, 0.5, 2)))
         for case in CASES:
-            first, second = (rows("pivot", "--case", case, *more, *release) for more in ([], ["--radius-law", f"moments:{moments}"]))
+            first, second = (rows("pivot", "--case", case, *more, *release)
+                             for more in ([], ["--radius-law", f"moments:{moments}"]))
             for name in ("angle", "grip_slip", "r", "rho", "trial_rho"):
                 self.assertAlmostEqual(first[-1][name], second[-1][name], delta=1e-8, msg=name)
         # One that grows: the moment that slips first is m0 mu P a(P).
         law = ["--radius-law", "power:c=0.012,gamma=0.333", "--case", "coupled"]
-        found = next(row for row in rows("pivot", *law, "--release", "from=0.6,to=0.3,over=4") if row["state"] == "slip")
+        found = next(row for row in rows("pivot", *law, "--release", "from=0.6,to=0.3,over=4")
+                     if row["state"] == "slip")
         limit = 3 * math.pi / 16 * 1.67 * found["load"] * 0.012 * found["load"] ** 0.333
-        self.assertAlmostEqual(math.hypot(found["friction_force"] / (1.67 * found["load"]), found["friction_moment"] / limit), 2, delta=1e-9)
+        self.assertAlmostEqual(math.hypot(found["friction_force"] / (1.67 * found["load"]),
+                                          found["friction_moment"] / limit),
+                               2,
+                               delta=1e-9)
         # Its k_r is k_l (m0 a)^2 at the load that holds, where the twist's spring gives under that moment.
         self.assert_fails(2, "twist_stiffness", "pivot", *law, "--gravity", "0")
         self.assert_fails(2, "mu_r_dynamic", "pivot", *law, "--mu-r-dynamic", "0.01")
@@ -169,13 +204,19 @@ class Pivot(CommandLineTest):
             self.assert_fails(2, ["--operator", "on-slide"], *call, "--operator", "target=30deg," + words)
         self.assert_fails(2, ["--case", "A", "coupled|uncoupled|exact"], "pivot", "--case", "A")
         self.assert_fails(2, ["--material", "butter", "rayon, suede, sandpaper"], *call, "--material", "butter")
-        for release in ["", "from=1", "from=1,to=0", "from=1,to=0,over=0", "from=-1,to=0,over=1", "from=1,to=0,over=nan", "from=1,to=0,over=1,",
-                        "from=1,from=1,to=0,over=1", "from=1,to=0,until=1", "1,0,2", "from=1;to=0;over=2"]:
+        for release in [
+                "", "from=1", "from=1,to=0", "from=1,to=0,over=0", "from=-1,to=0,over=1", "from=1,to=0,over=nan",
+                "from=1,to=0,over=1,", "from=1,from=1,to=0,over=1", "from=1,to=0,until=1", "1,0,2", "from=1;to=0;over=2"
+        ]:
             self.assert_fails(2, ["--release", "expected"], *call, "--release", release)
-        for operator in ["", "target", "target=", "target=30grad", "target=-30deg", "target=0", "target=nan", "rate=1", "target=30deg,speed=0"]:
+        for operator in [
+                "", "target", "target=", "target=30grad", "target=-30deg", "target=0", "target=nan", "rate=1",
+                "target=30deg,speed=0"
+        ]:
             self.assert_fails(2, ["--operator", "expected"], *call, "--operator", operator)
-        for text, place in [("time,load\n0,1\n0,2\n", "grip.csv:3:1"), ("time\n0\n", "'load'"), ("time,load\n0,-1\n", "grip.csv:2:3"),
-                            ("time,load\n0,1\n1", "grip.csv:3:2"), ("", "grip.csv:1:1")]:
+        for text, place in [("time,load\n0,1\n0,2\n", "grip.csv:3:1"), ("time\n0\n", "'load'"),
+                            ("time,load\n0,-1\n", "grip.csv:2:3"), ("time,load\n0,1\n1", "grip.csv:3:2"),
+                            ("", "grip.csv:1:1")]:
             self.assert_fails(2, [place, "expected"], *call, "--grip", self.file("grip.csv", text))
         self.assert_fails(2, "several", *call, "--release", "from=1,to=0,over=1", "--operator", "target=30deg")
         for option in ["--mass", "--length", "--height", "--stiffness", "--twist-stiffness", "--time-step"]:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Radius laws with radii above 0.1 m, or used outside their samples, give one warning on standard error, exit status 0."""
+"""Radius laws with radii above 0.1 m, or used outside their samples, give one warning on standard error, exit status
+0."""
 
 import unittest
 
@@ -12,13 +13,15 @@ class RadiusLaws(CommandLineTest):
         low, high = loads
         trace = self.directory / "trace.csv"
         # 1000 N/m: a millimetre is a newton.
-        trace.write_text("time,x,y,z,twist\n" + "".join(f"{i / 1000},0,0,{-load / 1000},0\n" for i, load in enumerate([low, high])))
+        trace.write_text("time,x,y,z,twist\n" +
+                         "".join(f"{i / 1000},0,0,{-load / 1000},0\n" for i, load in enumerate([low, high])))
         common = ["--law", "hertz", "--radius-law", radius_law, "--mu", "0.5"]
         for arguments in [["p-curves", *common, "--loads", f"0,{low},{high}"],
                           ["c-curves", *common, "--loads", f"{low},{high}", "--cors", "0,0.001,inf"],
                           ["translate", *common, "--load", low, "--loads", f"{low},{high}"],
                           ["replay", *common, "--trace", trace, "--stiffness", "1000", "--twist-stiffness", "0.04"],
-                          ["choose", *common, "--tolerance", "0.5", "--scene", "--loads", f"{low},{high}"]][:5 if scene else 4]:
+                          ["choose", *common, "--tolerance", "0.5", "--scene", "--loads",
+                           f"{low},{high}"]][:5 if scene else 4]:
             done = run(*arguments)
             self.assertEqual(done.returncode, 0, done.stderr)
             yield arguments[0], [line for line in done.stderr.splitlines() if "warning" in line]
@@ -57,10 +60,13 @@ class RadiusLaws(CommandLineTest):
         self.assert_fails(2, ["moments.csv: ", "at least 2"], *call(self.moments("1,0.001\n")))
         self.assert_fails(2, ["moments.csv:3:3:", "'-0.001'", "moment"], *call(self.moments("0.5,0.0005\n1,-0.001\n")))
         self.assert_fails(2, ["moments.csv:2:1:", "'0'", "load"], *call(self.moments("0,0.001\n1,0.002\n")))
-        self.assert_fails(2, ["moments.csv:3:1: ", "load of sample 2", "greater than the one before"], *call(self.moments("1,0.001\n0.5,0.002\n")))
+        self.assert_fails(2, ["moments.csv:3:1: ", "load of sample 2", "greater than the one before"],
+                          *call(self.moments("1,0.001\n0.5,0.002\n")))
         # A moment that falls with the load, or grows faster than its square.
-        self.assert_fails(2, ["moments.csv:3:1: ", "exponent before sample 2"], *call(self.moments("0.5,0.002\n1,0.001\n")))
-        self.assert_fails(2, ["moments.csv:", ":1: ", "exponent before sample 3"], *call(self.moments(good.replace("0.003", "0.3"))))
+        self.assert_fails(2, ["moments.csv:3:1: ", "exponent before sample 2"],
+                          *call(self.moments("0.5,0.002\n1,0.001\n")))
+        self.assert_fails(2, ["moments.csv:", ":1: ", "exponent before sample 3"],
+                          *call(self.moments(good.replace("0.003", "0.3"))))
         self.assert_fails(2, ["moments.csv: ", "mu"], *call(self.moments(good), "0"))
         radii = self.directory / "radii.csv"
         radii.write_text("load,radius\n1,0.004\n2,0.005\n")
@@ -68,7 +74,8 @@ class RadiusLaws(CommandLineTest):
         self.assert_fails(2, ["moments:FILE.csv"], *call("konstant:a=1"))
 
     def test_beyond_the_samples_and_moments_in_the_wrong_unit(self):
-        for law, loads, scene in [(self.moments("1,0.001\n2,0.002\n4,0.004\n"), (0.5, 3), True), (self.samples("1,0.004\n2,0.005\n4,0.006\n"), (1.5, 4.5), False)]:
+        for law, loads, scene in [(self.moments("1,0.001\n2,0.002\n4,0.004\n"), (0.5, 3), True),
+                                  (self.samples("1,0.004\n2,0.005\n4,0.006\n"), (1.5, 4.5), False)]:
             for name, warnings in self.uses(law, loads, scene):
                 self.assertEqual(len(warnings), 1, name)
                 self.assertIn("extrapolated: its samples have loads from 1 to 4 N", warnings[0], name)
@@ -81,16 +88,23 @@ class RadiusLaws(CommandLineTest):
         for scale, expected in [(1, 1), (1e-3, 0)]:
             path.write_text("load,radius\n" + "".join(f"{load},{scale * 4 * load ** 0.3}\n" for load in [1, 2, 4, 8]))
             for model in ["linear", "power", "best"]:
-                self.assertEqual(run("fit", "load", "--data", path, "--load-model", model).stderr.count("in metres?"), expected, model)
+                self.assertEqual(
+                    run("fit", "load", "--data", path, "--load-model", model).stderr.count("in metres?"), expected,
+                    model)
             # mu 0.5; moments of a Hertz contact.
-            path.write_text("load,force,moment\n" + "".join(
-                f"{load},{0.5 * load * f},{0.5 * load * scale * 5 * m}\n" for load in [1, 2, 4] for f, m in [(0, 0.589), (1, 0), (0.86, 0.234)]))
+            path.write_text("load,force,moment\n" +
+                            "".join(f"{load},{0.5 * load * f},{0.5 * load * scale * 5 * m}\n" for load in [1, 2, 4]
+                                    for f, m in [(0, 0.589), (1, 0), (0.86, 0.234)]))
             self.assertEqual(run("fit", "ratio", "--data", path).stderr.count("in metres?"), expected)
 
     def test_samples_are_named_where_laws_are(self):
         self.assert_fails(2, ["samples:FILE.csv"], "eval", "--law", "herz", "--c", "1")
-        self.assert_fails(2, ["samples:FILE.csv"], "p-curves", "--law", "hertz", "--radius-law", "konstant:a=1", "--mu", "1", "--loads", "1")
-        for subcommand in ["laws", "eval", "curve", "p-curves", "c-curves", "table", "validate", "choose", "fit", "translate", "replay", "pivot"]:
+        self.assert_fails(2, ["samples:FILE.csv"], "p-curves", "--law", "hertz", "--radius-law", "konstant:a=1", "--mu",
+                          "1", "--loads", "1")
+        for subcommand in [
+                "laws", "eval", "curve", "p-curves", "c-curves", "table", "validate", "choose", "fit", "translate",
+                "replay", "pivot"
+        ]:
             self.assertIn("samples:FILE.csv", run(subcommand, "--help").stdout, subcommand)
 
 

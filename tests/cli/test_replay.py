@@ -10,7 +10,12 @@ from recorded_finger import COLUMNS, FINGER, M0, MEASURED, TRACE
 
 class Replays(CommandLineTest):
     def replay(self, text, *options, remark=""):
-        return rows("replay", "--trace", self.file("trace.csv", text), *(MEASURED if "--mu-r" in options else FINGER), *options, remark=remark)
+        return rows("replay",
+                    "--trace",
+                    self.file("trace.csv", text),
+                    *(MEASURED if "--mu-r" in options else FINGER),
+                    *options,
+                    remark=remark)
 
     def test_press_and_drag(self):
         free, touch, stick, slip = self.replay(TRACE)
@@ -30,15 +35,26 @@ class Replays(CommandLineTest):
             for boundary in ["exact", "table", "ellipse", "box"]:
                 for projection in ["closest-point"] if boundary == "box" else ["radial", "c-curve", "closest-point"]:
                     remark = "exact: a table with an error of at most" if boundary == "exact" else ""
-                    found = rows("replay", "--trace", trace, *FINGER, "--curve", boundary, "--projection", projection, remark=remark)
+                    found = rows("replay",
+                                 "--trace",
+                                 trace,
+                                 *FINGER,
+                                 "--curve",
+                                 boundary,
+                                 "--projection",
+                                 projection,
+                                 remark=remark)
                     states = {row["state"] for row in found}
                     self.assertEqual(states, {"free", "stick", "slip"}, f"{trace.name} {boundary} {projection}")
 
     def test_the_exact_curve_of_a_measured_profile_has_the_error_of_its_samples(self):
         # Once it said the error of the table alone, a hundredth of the profile's own or less.
-        profile = self.file("profile.csv", "radius,pressure\n" + "".join(f"{i / 20},{math.sqrt(1 - (i / 20) ** 2)}\n" for i in range(21)))
+        profile = self.file(
+            "profile.csv",
+            "radius,pressure\n" +"".join(f"{i / 20},{math.sqrt(1 - (i / 20) ** 2)}\n" for i in range(21)))
         law = f"samples:{profile}"
-        expected = rows("table", "--law", law, "--tolerance", 1e-9, "-o", self.directory / "table.csv")[0]["profile_error"]
+        expected = rows("table", "--law", law, "--tolerance", 1e-9, "-o",
+                        self.directory / "table.csv")[0]["profile_error"]
         call = ["replay", "--trace", self.file("trace.csv", TRACE), *FINGER, "--curve", "exact"]
         call[call.index("--law") + 1] = law
         said = run(*call).stderr
@@ -56,14 +72,14 @@ class Replays(CommandLineTest):
         self.assert_close(falling[-1]["moment"], -0.004 * 3 ** 0.6, 1e-9)
         self.assert_fails(2, ["gamma", "without mu_r"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
                           "--gamma", "0.1")
-        self.assert_fails(2, ["--gamma: got '2'", "from -0.5 to 1"], "replay", "--trace", self.directory / "trace.csv", *MEASURED,
-                          "--mu-r", "0.004", "--gamma", "2")
+        self.assert_fails(2, ["--gamma: got '2'", "from -0.5 to 1"], "replay", "--trace", self.directory / "trace.csv",
+                          *MEASURED, "--mu-r", "0.004", "--gamma", "2")
         self.replay(twist)
         self.assertAlmostEqual(self.replay(TRACE, "--mu-dynamic", "0.3")[-1]["fx"], -0.3, delta=1e-9)
         slower = self.replay(twist, "--mu-r", "0.004", "--mu-r-dynamic", "0.003")
         self.assertAlmostEqual(slower[-1]["moment"], -0.003, delta=1e-12)
-        self.assert_fails(2, ["mu_r_dynamic", "absent without mu_r"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
-                          "--mu-r-dynamic", "0.003")
+        self.assert_fails(2, ["mu_r_dynamic", "absent without mu_r"], "replay", "--trace", self.directory / "trace.csv",
+                          *FINGER, "--mu-r-dynamic", "0.003")
         self.assert_fails(2, ["--radius-law", "--mu-r"], "replay", "--trace", self.directory / "trace.csv", *MEASURED)
 
     def test_an_orientation_in_place_of_the_twist(self):
@@ -95,7 +111,9 @@ class Replays(CommandLineTest):
             self.assertEqual(done.stderr.count("limitcurve: note: the trace has no column 'twist'"), 1, done.stderr)
             self.assertNotIn("no column", expected.stderr)
         self.assertEqual(run("replay", "--trace", "-", *FINGER, input=still).stdout, plain.stdout)
-        patch = ["--patch", "rectangle:x=0.01,y=0.005", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
+        patch = [
+            "--patch", "rectangle:x=0.01,y=0.005", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"
+        ]
         done = run("replay", "--trace", self.directory / "still.csv", *patch)
         self.assertEqual(done.stdout, run("replay", "--trace", self.directory / "told.csv", *patch).stdout)
         self.assertIn("no column 'twist'", done.stderr)
@@ -103,28 +121,32 @@ class Replays(CommandLineTest):
     def settled(self, mu_r, *options):
         """Force after 100 mm and 20 rad about a centre of rotation at 5 mm, at 1 N, and standard error."""
         text = "time,x,y,z,twist\n" + "".join(f"{i / 1000},{1e-4 * i!r},0,-0.001,{0.02 * i!r}\n" for i in range(1000))
-        done = run("replay", "--trace", self.file("trace.csv", text), "--law", "hertz", "--mu-r", mu_r, "--mu", "0.6", "--stiffness", "1000",
-                   "--twist-stiffness", "0.036", *options)
+        done = run("replay", "--trace", self.file("trace.csv", text), "--law", "hertz", "--mu-r", mu_r, "--mu", "0.6",
+                   "--stiffness", "1000", "--twist-stiffness", "0.036", *options)
         self.assertEqual(done.returncode, 0, done.stderr)
         return -float(done.stdout.splitlines()[-1].split(",")[7]), done.stderr
 
     def test_a_small_contact_is_frictionless_under_eq_23_and_a_note_says_so(self):
         # mu P = 0.6 N.
-        for mu_r, expected, is_far in [("0.01", 0.551, False), ("0.001", 0.135, True), ("0.0001", 0.0139, True), ("0.000001", 0.00014, True),
-                                       ("0", 0.6, False)]:
+        for mu_r, expected, is_far in [("0.01", 0.551, False), ("0.001", 0.135, True), ("0.0001", 0.0139, True),
+                                       ("0.000001", 0.00014, True), ("0", 0.6, False)]:
             force, told = self.settled(mu_r, "--curve", "ellipse", "--projection", "radial")
             self.assert_close(force, expected, 0.01, mu_r)
             self.assertEqual(told.count("limitcurve: note: --projection radial: k_r/k_l is"), is_far, told)
             self.assertEqual("hardly any friction force" in told, is_far, told)
-            self.assertEqual("--projection c-curve: k_r/k_l is" in self.settled(mu_r, "--projection", "c-curve")[1], is_far, mu_r)
+            self.assertEqual("--projection c-curve: k_r/k_l is" in self.settled(mu_r, "--projection", "c-curve")[1],
+                             is_far, mu_r)
             self.assertEqual(self.settled(mu_r)[1], "")
         self.assert_close(self.settled("0.0001", "--curve", "ellipse")[0], 0.5997, 1e-4)
         # A contact too large for its twist stiffness: the moment is what is lost.
-        self.assertIn("hardly any friction moment", self.settled("0.02", "--projection", "radial", "--curve", "table")[1])
+        self.assertIn("hardly any friction moment",
+                      self.settled("0.02", "--projection", "radial", "--curve", "table")[1])
 
     def test_the_note_is_about_the_largest_load(self):
         # a^2 grows by 100^(2/3) = 22 from 0.02 to 2 N: right at 2 N, wrong at 0.02 N.
-        radial = ["--projection", "radial", "--curve", "ellipse", "--radius-law", "power:c=0.005,gamma=0.3333333333333333"]
+        radial = [
+            "--projection", "radial", "--curve", "ellipse", "--radius-law", "power:c=0.005,gamma=0.3333333333333333"
+        ]
         common = ["--law", "hertz", "--mu", "0.6", "--stiffness", "1000"]
         text = "time,x,y,z,twist\n" + "".join(f"{i / 1000},0,0,{-2e-5 * (i + 1)},{0.02 * i}\n" for i in range(100))
         right = 1000 * (M0 * 0.005 * 2 ** (1 / 3)) ** 2
@@ -133,11 +155,12 @@ class Replays(CommandLineTest):
             done = run("replay", "--trace", path, *common, *radial, "--twist-stiffness", share * right)
             self.assertEqual(done.stderr.count("times (mu_r/mu_l)^2 at 2 N"), notes, done.stderr)
             # choose knows both loads.
-            chosen = run("choose", *common, "--radius-law", "constant:a=0.005", "--tolerance", "0.1", "--scene", "--twist-stiffness",
-                         share * 1000 * (M0 * 0.005) ** 2)
-            self.assertEqual(chosen.stderr.count("note: the rows of the radial projection: k_r/k_l is"), notes, chosen.stderr)
-        chosen = run("choose", *common, "--radius-law", "power:c=0.005,gamma=0.3333333333333333", "--loads", "0.02,2", "--tolerance", "0.1", "--scene",
-                     "--twist-stiffness", right)
+            chosen = run("choose", *common, "--radius-law", "constant:a=0.005", "--tolerance", "0.1", "--scene",
+                         "--twist-stiffness", share * 1000 * (M0 * 0.005) ** 2)
+            self.assertEqual(chosen.stderr.count("note: the rows of the radial projection: k_r/k_l is"), notes,
+                             chosen.stderr)
+        chosen = run("choose", *common, "--radius-law", "power:c=0.005,gamma=0.3333333333333333", "--loads", "0.02,2",
+                     "--tolerance", "0.1", "--scene", "--twist-stiffness", right)
         self.assertIn("at 0.02 N", chosen.stderr)
 
     def test_each_reason_of_invalid_rows_is_named_once(self):
@@ -146,15 +169,22 @@ class Replays(CommandLineTest):
         self.assertEqual(done.stderr.splitlines(), [
             "limitcurve: note: 1 sample invalid, from time 0.006 s on: a coordinate, the depth or the twist is beyond 1e6",
             "limitcurve: note: 2 samples invalid, from time 0.001 s on: the time goes back or is not finite",
-            "limitcurve: note: 1 sample invalid, from time 0.004 s on: the finger moved by more than the maximum displacement"])
+            "limitcurve: note: 1 sample invalid, from time 0.004 s on: the finger moved by more than the maximum displacement"
+        ])
         self.assertEqual(run("replay", "--quiet", "--trace", self.directory / "trace.csv", *FINGER).stderr, "")
 
     def test_a_leap_beyond_the_maximum_displacement_is_told(self):
         metre = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n"
-        self.assertEqual([row["state"] for row in self.replay(metre, remark="maximum displacement")][3:], ["slip", "invalid", "slip"])
-        self.assertEqual([row["state"] for row in self.replay(metre, "--max-displacement", "inf")][3:], ["slip", "slip", "slip"])
+        self.assertEqual([row["state"] for row in self.replay(metre, remark="maximum displacement")][3:],
+                         ["slip", "invalid", "slip"])
+        self.assertEqual([row["state"] for row in self.replay(metre, "--max-displacement", "inf")][3:],
+                         ["slip", "slip", "slip"])
         for options in [[], ["--details"], ["--surface", "box:x=10,y=10,z=2e-12"]]:
-            held = self.replay(metre.replace("1.006", "0.3"), "--max-displacement", "0.01", *options, remark="maximum displacement")
+            held = self.replay(metre.replace("1.006", "0.3"),
+                               "--max-displacement",
+                               "0.01",
+                               *options,
+                               remark="maximum displacement")
             self.assertEqual([row["state"] for row in held[3:]], ["slip", "invalid", "slip"], options)
 
 

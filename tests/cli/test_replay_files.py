@@ -64,7 +64,8 @@ class Files(CommandLineTest):
                               self.directory / "bad.csv", *FINGER)
 
     def test_files_of_another_kind(self):
-        self.assert_fails(2, ["absent.csv", "No such file"], "replay", "--trace", self.directory / "absent.csv", *FINGER)
+        self.assert_fails(2, ["absent.csv", "No such file"], "replay", "--trace", self.directory / "absent.csv",
+                          *FINGER)
         self.assert_fails(2, "directory", "replay", "--trace", self.directory, *FINGER)
         endless = self.directory / "endless.csv"
         endless.write_bytes(b"x" * 3_000_000)
@@ -82,11 +83,14 @@ class Files(CommandLineTest):
             call = list(FINGER)
             del call[call.index(option):call.index(option) + 2]
             self.assert_fails(2, option, "replay", "--trace", path, *call)
-        for option, values, told in [("--max-displacement", ["0", "-0.01", "nan", "x", ""], "expected a number > 0, or inf"),
-                                     ("--fault-decay", ["-0.1", "1.1", "nan", "inf", "x"], "expected a number from 0 to 1")]:
+        for option, values, told in [("--max-displacement", ["0", "-0.01", "nan", "x",
+                                                             ""], "expected a number > 0, or inf"),
+                                     ("--fault-decay", ["-0.1", "1.1", "nan", "inf",
+                                                        "x"], "expected a number from 0 to 1")]:
             for value in values:
                 self.assert_fails(2, [option, told], "replay", "--trace", path, *FINGER, option, value)
-        self.assert_fails(2, ["--curve", "triangle", "ellipse"], "replay", "--trace", path, *FINGER, "--curve", "triangle")
+        self.assert_fails(2, ["--curve", "triangle", "ellipse"], "replay", "--trace", path, *FINGER, "--curve",
+                          "triangle")
         self.assert_fails(2, ["--projection", "c-curve"], "replay", "--trace", path, *FINGER, "--projection", "oblique")
         self.assert_fails(2, ["mu_dynamic"], "replay", "--trace", path, *FINGER, "--mu-dynamic", "0.7")
         self.assert_fails(2, ["tolerance"], "replay", "--trace", path, *FINGER, "--tolerance", "0")
@@ -111,7 +115,9 @@ class Files(CommandLineTest):
         # Without b_r a note, and the sample time is the trace's.
         self.assertIn("the twist is not checked", run(*call, "--check-gains", "b=0.51").stderr)
         self.assertNotIn("the twist is not checked", run(*call, "--check-gains", "b=0.51,b_r=1").stderr)
-        slow = self.file("slow.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.002,0,0,-0.001,0\n0.012,0,0,-0.001,0\n0.013,0,0,-0.001,0\n")
+        slow = self.file(
+            "slow.csv",
+            "time,x,y,z,twist\n0,0,0,-0.001,0\n0.002,0,0,-0.001,0\n0.012,0,0,-0.001,0\n0.013,0,0,-0.001,0\n")
         self.assert_fails(2, ["5 N s/m", "0.01 s"], "replay", "--trace", slow, *FINGER, "--check-gains", "b=4.9")
         self.assertEqual(run("replay", "--trace", slow, *FINGER, "--check-gains", "b=5.1").returncode, 0)
         self.assert_fails(2, ["T=SECONDS"], "replay", "--trace", "-", *FINGER, "--check-gains", "b=5.1")
@@ -125,7 +131,8 @@ class Files(CommandLineTest):
                     file.write(f"{i / 1000},{1e-6 * i},0,-0.0012345678901234,{1e-5 * i}\n")
             # In a build with the address sanitizer, freed memory is not to be kept.
             environment = {**os.environ, "ASAN_OPTIONS": "quarantine_size_mb=1:thread_local_quarantine_size_kb=64"}
-            with open(os.devnull, "wb") as sink, subprocess.Popen([EXECUTABLE, "replay", "--trace", path, *FINGER], stdout=sink,
+            with open(os.devnull, "wb") as sink, subprocess.Popen([EXECUTABLE, "replay", "--trace", path, *FINGER],
+                                                                  stdout=sink,
                                                                   env=environment) as process:
                 _, status, usage = os.wait4(process.pid, 0)
                 process.returncode = os.waitstatus_to_exitcode(status)

@@ -35,14 +35,16 @@ class Tables(CommandLineTest):
             header_file, _ = self.build(law, tolerance, "h")
             names.add(re.search(r"(\w+)_wrench\(double", header_file.read_text()).group(1))
         self.assertEqual(len(names), 4, names)
-        self.assert_fails(2, ["9lives", "C identifier"], "table", "--law", "hertz", "--tolerance", 1e-4, "--name", "9lives", "-o", path)
-        self.assert_fails(2, ["'thumb'", ".h or .hpp"], "table", "--law", "hertz", "--tolerance", 1e-4, "--name", "thumb", "-o",
-                          self.directory / "a.csv")
+        self.assert_fails(2, ["9lives", "C identifier"], "table", "--law", "hertz", "--tolerance", 1e-4, "--name",
+                          "9lives", "-o", path)
+        self.assert_fails(2, ["'thumb'", ".h or .hpp"], "table", "--law", "hertz", "--tolerance", 1e-4, "--name",
+                          "thumb", "-o", self.directory / "a.csv")
 
     def test_a_measured_profile_states_its_own_error(self):
         # Once only the error of interpolating the curve was told, a hundredth of the profile's own.
         profile = self.directory / "profile.csv"
-        profile.write_text("radius,pressure\n" + "".join(f"{i / 20},{math.sqrt(1 - (i / 20) ** 2)}\n" for i in range(21)))
+        profile.write_text("radius,pressure\n" +
+                           "".join(f"{i / 20},{math.sqrt(1 - (i / 20) ** 2)}\n" for i in range(21)))
         places = numbers([0, 0.2, 0.5, 0.8, 0.95, 1, 1.05, 1.3, 2, 5, 1e9])
         measured = f"samples:{profile}"
         estimates = rows("eval", "--law", measured, "--c", places)
@@ -58,7 +60,8 @@ class Tables(CommandLineTest):
                 continue
             for exact, found in zip(hertz, rows("lookup", "--table", path, "--c", places)):
                 for name in ["force", "moment"]:
-                    self.assertLessEqual(abs(found[name] - exact[name]), facts["checked_error"] + facts["profile_error"])
+                    self.assertLessEqual(abs(found[name] - exact[name]),
+                                         facts["checked_error"] + facts["profile_error"])
         mixed = self.build(f"mix:1*hertz+3*power:n=2.3", 1e-4)[1]
         self.assertEqual((self.build("hertz", 1e-4)[1]["profile_error"], mixed["profile_error"]), (0, 0))
 
@@ -72,16 +75,21 @@ class Tables(CommandLineTest):
     @unittest.skipUnless(shutil.which("clang++"), "no clang++ on the PATH, which compiles CUDA")
     def test_the_header_compiles_for_cuda(self):
         self.build("hertz", 1e-6, "h")
-        source = self.file("use.cu", """
+        source = self.file(
+            "use.cu", """
             #define __host__ __attribute__((host))
             #define __device__ __attribute__((device))
             #define __global__ __attribute__((global))
             #include "table.h"
             __global__ void step(double* f, double* m, double* g) { *g = NAME_gauge(*f, *m); *f = NAME_closest_point(*f, *m, 1.0).force; *m = NAME_wrench(*f, *m).moment; }
             int main() { return NAME_gauge(0.3, 0.1) > 1.0 || NAME_closest_point(2.0, 0.0, 1.0).force != 1.0; }
-            """.replace("NAME", re.search(r"(\w+)_wrench\(double", (self.directory / "table.h").read_text()).group(1)))
-        subprocess.run(["clang++", "-std=c++17", "-nocudainc", "-nocudalib", "--cuda-gpu-arch=sm_70", "-Wall", "-Wextra", "-Werror", "-fsyntax-only",
-                        source], check=True)
+            """.replace("NAME",
+                        re.search(r"(\w+)_wrench\(double", (self.directory / "table.h").read_text()).group(1)))
+        subprocess.run([
+            "clang++", "-std=c++17", "-nocudainc", "-nocudalib", "--cuda-gpu-arch=sm_70", "-Wall", "-Wextra", "-Werror",
+            "-fsyntax-only", source
+        ],
+                       check=True)
 
     def test_json_has_the_rows_of_the_csv(self):
         path, facts = self.build("hertz", 1e-6, "json")
@@ -109,20 +117,28 @@ class Tables(CommandLineTest):
                 self.assertAlmostEqual(moment, found["moment"], delta=1e-15)
 
     def test_headers_in_single_precision(self):
-        """Each wrench within its checked error of a fine table at the same ratio, closest points within 5e-6; no double in it. On 32-bit ARM the same numbers."""
-        arm = [["arm-linux-gnueabihf-gcc", "-static", "-O2", "-mfloat-abi=hard", "-mfpu=neon-vfpv4", "-ffp-contract=fast"],
-               ["arm-linux-gnueabi-gcc", "-static", "-mfloat-abi=soft"]]
+        """Each wrench within its checked error of a fine table at the same ratio, closest points within 5e-6; no double
+        in it. On 32-bit ARM the same numbers."""
+        arm = [[
+            "arm-linux-gnueabihf-gcc", "-static", "-O2", "-mfloat-abi=hard", "-mfpu=neon-vfpv4", "-ffp-contract=fast"
+        ], ["arm-linux-gnueabi-gcc", "-static", "-mfloat-abi=soft"]]
         arm = [one for one in arm if shutil.which("qemu-arm") and shutil.which(one[0])]
         for law in ("hertz", "uniform", "power:n=-0.9"):
-            facts = rows("table", "--law", law, "--tolerance", 5e-7, "--real", "float", "--name", "single", "-o", self.directory / "single.h")[0]
+            facts = rows("table", "--law", law, "--tolerance", 5e-7, "--real", "float", "--name", "single", "-o",
+                         self.directory / "single.h")[0]
             self.assertLessEqual(facts["checked_error"], 5e-7)
             rows("table", "--law", law, "--tolerance", 1e-10, "--name", "fine", "-o", self.directory / "fine.h")
             (self.directory / "single.c").write_text(SINGLE)
             (self.directory / "main.c").write_text(COMPARE)
             for compiler in [["cc"], *arm]:
-                strict = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Wdouble-promotion", "-Wunsuffixed-float-constants", "-Werror", "-c"]
+                strict = [
+                    "-std=c99", "-Wall", "-Wextra", "-pedantic", "-Wdouble-promotion", "-Wunsuffixed-float-constants",
+                    "-Werror", "-c"
+                ]
                 subprocess.run([*compiler, *strict, "single.c"], cwd=self.directory, check=True)
-                subprocess.run([*compiler, "-std=c99", "single.o", "main.c", "-o", "main", "-lm"], cwd=self.directory, check=True)
+                subprocess.run([*compiler, "-std=c99", "single.o", "main.c", "-o", "main", "-lm"],
+                               cwd=self.directory,
+                               check=True)
                 run = ["./main", "100000"] if compiler == ["cc"] else ["qemu-arm", "./main", "10000"]
                 printed = subprocess.run(run, cwd=self.directory, check=True, capture_output=True, text=True).stdout
                 wrench, closest, mean = map(float, printed.split())
@@ -132,7 +148,8 @@ class Tables(CommandLineTest):
                 self.assertLess(closest, 5e-6, f"{law} {compiler}")
         fine = ["table", "--law", "hertz", "--tolerance"]
         self.assert_fails(2, ["--tolerance", "5e-07"], *fine, 1e-7, "--real", "float", "-o", self.directory / "fine.h")
-        self.assert_fails(2, ["--real float", ".h or .hpp"], *fine, 1e-4, "--real", "float", "-o", self.directory / "t.csv")
+        self.assert_fails(2, ["--real float", ".h or .hpp"], *fine, 1e-4, "--real", "float", "-o",
+                          self.directory / "t.csv")
 
 
 SINGLE = """#include "single.h"

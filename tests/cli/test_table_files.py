@@ -14,13 +14,14 @@ class BadTables(CommandLineTest):
     def test_tolerances(self):
         path = self.directory / "table.csv"
         for tolerance in ["0", "-1e-6", "nan", "inf", "1e-30", "10", "", "1e-6x"]:
-            self.assert_fails(2, ["tolerance", "expected"], "table", "--law", "hertz", "--tolerance", tolerance, "-o", path)
+            self.assert_fails(2, ["tolerance", "expected"], "table", "--law", "hertz", "--tolerance", tolerance, "-o",
+                              path)
         self.assertEqual(list(self.directory.iterdir()), [])
 
     def test_names(self):
         for name in ["table", "table.txt", "table.CSV", "csv"]:
-            self.assert_fails(2, ["--output", name, ".csv, .json, .h or .hpp"], "table", "--law", "hertz", "--tolerance", "1e-4", "-o",
-                              self.directory / name)
+            self.assert_fails(2, ["--output", name, ".csv, .json, .h or .hpp"], "table", "--law", "hertz",
+                              "--tolerance", "1e-4", "-o", self.directory / name)
         self.assert_fails(2, "--output", "table", "--law", "hertz", "--tolerance", "1e-4")
         self.assertEqual(list(self.directory.iterdir()), [])
 
@@ -40,24 +41,32 @@ class BadTables(CommandLineTest):
         }
         for name, text in foreign.items():
             self.assert_fails(2, name, "lookup", "--table", self.file(name, text), "--c", "1")
-        self.assert_fails(2, ["nothing.csv", "No such file"], "lookup", "--table", self.directory / "nothing.csv", "--c", "1")
+        self.assert_fails(2, ["nothing.csv", "No such file"], "lookup", "--table", self.directory / "nothing.csv",
+                          "--c", "1")
         self.assert_fails(2, [".csv or .json"], "lookup", "--table", self.file("table.hpp", ""), "--c", "1")
         (self.directory / "folder.csv").mkdir()
-        self.assert_fails(2, ["folder.csv", "directory"], "lookup", "--table", self.directory / "folder.csv", "--c", "1")
+        self.assert_fails(2, ["folder.csv", "directory"], "lookup", "--table", self.directory / "folder.csv", "--c",
+                          "1")
 
     def test_a_json_file_that_was_changed(self):
         path = self.directory / "table.json"
         rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
-        for spoil in [lambda t: t["inside"].clear(), lambda t: t["outside"].pop(), lambda t: t["inside"].__setitem__(0, None),
-                      lambda t: t["inside"][0].pop(), lambda t: t["outside"][0].__setitem__(2, "1"), lambda t: t.pop("inside"),
-                      lambda t: t["inside"].reverse(), lambda t: t["inside"][1].__setitem__(0, 1e999), lambda t: t.update(tolerance=-1),
-                      lambda t: t.update(index_bits=4.5), lambda t: t.update(octaves=1 << 40), lambda t: t.pop("linear_error"),
-                      lambda t: t["inside"][1].__setitem__(2, t["inside"][1][2] * (1 + 1e-9)), lambda t: t.update(law="cone")]:
+        for spoil in [
+                lambda t: t["inside"].clear(), lambda t: t["outside"].pop(), lambda t: t["inside"].__setitem__(0, None),
+                lambda t: t["inside"][0].pop(), lambda t: t["outside"][0].__setitem__(2, "1"),
+                lambda t: t.pop("inside"), lambda t: t["inside"].reverse(),
+                lambda t: t["inside"][1].__setitem__(0, 1e999), lambda t: t.update(tolerance=-1),
+                lambda t: t.update(index_bits=4.5), lambda t: t.update(octaves=1 << 40),
+                lambda t: t.pop("linear_error"),
+                lambda t: t["inside"][1].__setitem__(2, t["inside"][1][2] * (1 + 1e-9)), lambda t: t.update(law="cone")
+        ]:
             table = json.loads(path.read_text())
             spoil(table)
-            self.assert_fails(2, "spoilt.json", "lookup", "--table", self.file("spoilt.json", json.dumps(table)), "--c", "1")
+            self.assert_fails(2, "spoilt.json", "lookup", "--table", self.file("spoilt.json", json.dumps(table)), "--c",
+                              "1")
         self.assert_fails(2, "checksum", "lookup", "--table", self.directory / "spoilt.json", "--c", "1")
-        self.assert_fails(2, "torn.json", "lookup", "--table", self.file("torn.json", path.read_text()[:-3]), "--c", "1")
+        self.assert_fails(2, "torn.json", "lookup", "--table", self.file("torn.json",
+                                                                         path.read_text()[:-3]), "--c", "1")
 
     def test_rows_nested_as_deep_as_a_file_may_be(self):
         deep = "[" * 1000000 + "]" * 1000000

@@ -11,15 +11,22 @@ from command_line import DATA, EXECUTABLE, CommandLineTest, header, rows, run
 
 
 class Translate(CommandLineTest):
-    CONTACT = ["translate", "--law", "uniform", "--radius-law", "power:c=0.002,gamma=0.25", "--mu", "0.8", "--load", "16"]
+    CONTACT = [
+        "translate", "--law", "uniform", "--radius-law", "power:c=0.002,gamma=0.25", "--mu", "0.8", "--load", "16"
+    ]
 
     def test_every_engine_gets_both_limits(self):
-        self.assertEqual(header(*self.CONTACT), "engine,parameter,value,unit,model,max_error,cor_error,loads_error,note,formula,two_bodies")
+        self.assertEqual(header(*self.CONTACT),
+                         "engine,parameter,value,unit,model,max_error,cor_error,loads_error,note,formula,two_bodies")
         found = rows(*self.CONTACT)
         self.assertEqual({(row["engine"], row["model"]) for row in found},
                          {(row["engine"], row["model"]) for row in self.facts("engines") if row["model"] != "field"})
-        self.assertLessEqual({"mujoco", "chrono", "gazebo", "physx", "isaac", "sapien", "bullet", "ode", "newton", "genesis", "drake", "dart", "dex-net"},
-                             {row["engine"] for row in found})
+        self.assertLessEqual(
+            {
+                "mujoco", "chrono", "gazebo", "physx", "isaac", "sapien", "bullet", "ode", "newton", "genesis", "drake",
+                "dart", "dex-net"
+            }, {row["engine"]
+                for row in found})
         coefficients = {(row["engine"], row["parameter"]): row["value"] for row in found}
         self.assertEqual(coefficients["mujoco", "geom.friction[0]"], 0.8)
         # mu m0 a(P), a = 4 mm
@@ -30,7 +37,9 @@ class Translate(CommandLineTest):
 
     def test_the_cone_is_a_row(self):
         """The cone option is on the models it holds for, and on no other row."""
-        cones = {(row["model"], row["value"], row["unit"], row["note"]) for row in rows(*self.CONTACT) if row["parameter"] == "option.cone"}
+        cones = {(row["model"], row["value"], row["unit"], row["note"])
+                 for row in rows(*self.CONTACT)
+                 if row["parameter"] == "option.cone"}
         self.assertEqual(cones, {("ellipse", 1, 1, "elliptic"), ("diamond", 0, 1, "pyramidal")})
 
     def facts(self, name):
@@ -59,7 +68,9 @@ class Translate(CommandLineTest):
             self.assertRegex(row["checked"], r"^20\d\d-\d\d-\d\d$")
             self.assertIn(row["how"], ("measured", "source", "manual"))
         for row in self.facts("coefficients"):
-            self.assertIn((row["engine"], row["model"]) if row["model"] else row["engine"], shapes | {engine for engine, _ in shapes})
+            self.assertIn((row["engine"], row["model"]) if row["model"] else row["engine"],
+                          shapes | {engine
+                                    for engine, _ in shapes})
         known = {}
         for row in self.facts("coefficients"):
             for word in [*row["word"].split(), row["parameter"]]:
@@ -69,7 +80,10 @@ class Translate(CommandLineTest):
 
     def test_the_page_has_what_the_files_and_the_program_say(self):
         pages = DATA.parent / "scripts" / "maintain" / "pages"
-        done = subprocess.run([sys.executable, "-B", pages, EXECUTABLE, "--check", "docs/which_number.md"], capture_output=True, text=True, check=False)
+        done = subprocess.run([sys.executable, "-B", pages, EXECUTABLE, "--check", "docs/which_number.md"],
+                              capture_output=True,
+                              text=True,
+                              check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_one_engine(self):
@@ -90,28 +104,40 @@ class Translate(CommandLineTest):
                 self.assertEqual((row["low"], row["high"]), (row["value"], row["value"]))
 
     def test_patch(self):
-        """The largest moment of a uniform square of side d is mu P d (sqrt 2 + ln(1 + sqrt 2))/6, by integration of the distance."""
+        """The largest moment of a uniform square of side d is mu P d (sqrt 2 + ln(1 + sqrt 2))/6, by integration of the
+        distance."""
         side = 0.01
         lever = side * (math.sqrt(2) + math.log(1 + math.sqrt(2))) / 6
-        found = {(row["engine"], row["parameter"]): row for row in rows("translate", "--patch", f"rectangle:x={side},y={side}", "--mu", "0.8")}
+        found = {
+            (row["engine"], row["parameter"]): row
+            for row in rows("translate", "--patch", f"rectangle:x={side},y={side}", "--mu", "0.8")
+        }
         self.assert_close(found["mujoco", "geom.friction[1]"]["value"], 0.8 * lever, 1e-12)
         self.assert_close(found["sapien", "min_patch_radius"]["value"], lever, 1e-12)
         for parameter, told in (("geom.friction[1]", True), ("geom.friction[0]", False)):
             self.assertEqual("one contact point (a ball" in found["mujoco", parameter]["note"], told)
-        ellipsoid, = [row for row in rows("validate", "--patch", f"rectangle:x={side},y={side}") if row["model"] == "ellipsoid"]
+        ellipsoid, = [
+            row for row in rows("validate", "--patch", f"rectangle:x={side},y={side}") if row["model"] == "ellipsoid"
+        ]
         self.assert_close(found["genesis", "materials.Rigid.friction"]["max_error"], ellipsoid["max_error"], 1e-6)
-        for option, value in (("--law", "hertz"), ("--radius-law", "constant:a=0.005"), ("--load", "1"), ("--loads", "1,2")):
-            self.assert_fails(2, [option, "--patch"], "translate", "--patch", "rectangle:x=0.01,y=0.01", "--mu", "0.8", option, value)
+        for option, value in (("--law", "hertz"), ("--radius-law", "constant:a=0.005"), ("--load", "1"), ("--loads",
+                                                                                                          "1,2")):
+            self.assert_fails(2, [option, "--patch"], "translate", "--patch", "rectangle:x=0.01,y=0.01", "--mu", "0.8",
+                              option, value)
 
     def test_what_a_number_means(self):
         reading = ["translate", "--law", "uniform", "--mu", "0.5", "--read"]
-        self.assertEqual(header(*reading, "mujoco.torsional=0.005"), "engine,parameter,value,moment_per_load,radius,note")
+        self.assertEqual(header(*reading, "mujoco.torsional=0.005"),
+                         "engine,parameter,value,moment_per_load,radius,note")
         row, = rows("translate", "--law", "hertz", "--mu", "1", "--read", "mujoco.torsional=0.005")
         self.assertAlmostEqual(1e3 * row["radius"], 8.5, delta=0.05)
-        for text, parameter, moment in (("mujoco.torsional=0.005", "geom.friction[1]", 0.005), ("mujoco.geom.friction[1]=5e-3", "geom.friction[1]", 0.005),
-                                        ("isaac-lab.min_torsional_patch_radius=0.1", "physxCollision:minTorsionalPatchRadius", 0.05),
-                                        ("gazebo.patch_radius=0.016", "surface/friction/torsional/patch_radius", 0.003 * math.pi),
-                                        ("pybullet.spinningFriction=0.1", "setSpinningFriction", 0.1)):
+        for text, parameter, moment in (("mujoco.torsional=0.005", "geom.friction[1]",
+                                         0.005), ("mujoco.geom.friction[1]=5e-3", "geom.friction[1]",
+                                                  0.005), ("isaac-lab.min_torsional_patch_radius=0.1",
+                                                           "physxCollision:minTorsionalPatchRadius", 0.05),
+                                        ("gazebo.patch_radius=0.016", "surface/friction/torsional/patch_radius",
+                                         0.003 * math.pi), ("pybullet.spinningFriction=0.1", "setSpinningFriction",
+                                                            0.1)):
             row, = rows(*reading, text)
             self.assertEqual(row["parameter"], parameter)
             self.assert_close(row["moment_per_load"], moment, 1e-14)
@@ -119,8 +145,10 @@ class Translate(CommandLineTest):
             self.assertEqual("no fingertip" in row["note"], not 1e-3 <= row["radius"] <= 2e-2)
         both = rows(*reading, "dart.friction=0.5", "--read", "ode.torsional=0.002")
         self.assertEqual([(row["engine"], row["radius"]) for row in both], [("dart", ""), ("ode", 0.006)])
-        for text, expected in (("mujoco.torsional", "ENGINE.PARAMETER=VALUE"), ("torsional=1", "ENGINE.PARAMETER=VALUE"), ("mujoco.torsional=a", "a number"),
-                               ("mujoco.cone=pyramidal", "true or false"), ("mujoco.torsional=-1", "-1"), ("mujoco.torsion=1", "torsional"), ("mujco.torsional=1", "mujoco")):
+        for text, expected in (("mujoco.torsional", "ENGINE.PARAMETER=VALUE"),
+                               ("torsional=1", "ENGINE.PARAMETER=VALUE"), ("mujoco.torsional=a", "a number"),
+                               ("mujoco.cone=pyramidal", "true or false"), ("mujoco.torsional=-1", "-1"),
+                               ("mujoco.torsion=1", "torsional"), ("mujco.torsional=1", "mujoco")):
             self.assert_fails(2, ["--read", expected], *reading, text)
         self.assert_fails(2, "--load", *reading, "mujoco.torsional=0.005", "--load", "1")
         self.assert_fails(2, "--law", "translate", "--mu", "1", "--read", "mujoco.torsional=0.005")
@@ -128,14 +156,17 @@ class Translate(CommandLineTest):
 
     def test_names_and_attributes_as_they_stand_in_files(self):
         reading = ["translate", "--law", "uniform", "--mu", "0.5"]
-        for text in ("bullet.spinning_friction", "newton:torsionalFriction", "newton.shape_material_mu_torsional", "mujoco.geom_friction[1]", "mujoco.friction[1]",
-                     "mujoco.pair.torsional", "physxCollision:minTorsionalPatchRadius"):
+        for text in ("bullet.spinning_friction", "newton:torsionalFriction", "newton.shape_material_mu_torsional",
+                     "mujoco.geom_friction[1]", "mujoco.friction[1]", "mujoco.pair.torsional",
+                     "physxCollision:minTorsionalPatchRadius"):
             row, = rows(*reading, "--read", text + "=0.01")
             self.assert_close(row["moment_per_load"], 0.005 if "Patch" in text else 0.01, 1e-14)
         found = rows("translate", "--law", "uniform", "--read", "mujoco.friction=1.5 0.006 0.0002")  # friction and all
-        self.assertEqual([(row["value"], row["moment_per_load"]) for row in found], [(1.5, ""), (0.006, 0.006), (0.0002, "")])
+        self.assertEqual([(row["value"], row["moment_per_load"]) for row in found], [(1.5, ""), (0.006, 0.006),
+                                                                                     (0.0002, "")])
         self.assert_close(found[1]["radius"], 0.006, 1e-14)
-        found = rows(*reading, "--read", "mujoco.pair.friction=1 1 0.005 0.0001 0.0001", "--read", "mujoco.pair.condim=3")
+        found = rows(*reading, "--read", "mujoco.pair.friction=1 1 0.005 0.0001 0.0001", "--read",
+                     "mujoco.pair.condim=3")
         self.assertEqual(found[2]["moment_per_load"], 0)
         found = rows(*reading, "--read", "gazebo.use_patch_radius=false", "--read", "gazebo.patch_radius=0.1")
         self.assertEqual(found[1]["moment_per_load"], 0)
@@ -146,13 +177,22 @@ class Translate(CommandLineTest):
         call = self.CONTACT[:self.CONTACT.index("--mu")] + ["--load", "16"]
         both = rows(*call, "--mu", "0.4,1.2")
         for mu in (0.4, 1.2):
-            self.assertEqual([{key: value for key, value in row.items() if key != "mu"} for row in both if row["mu"] == mu], rows(*call, "--mu", str(mu)))
+            self.assertEqual([{
+                key: value
+                for key, value in row.items()
+                if key != "mu"
+            }
+                              for row in both
+                              if row["mu"] == mu], rows(*call, "--mu", str(mu)))
         self.assert_fails(2, ["--mu", "--mu-r"], "translate", "--mu", "0.4,1.2", "--mu-r", "0.002", "--load", "3")
 
     def test_a_measured_moment_needs_no_law(self):
         done = run("translate", "--mu", "0.5", "--mu-r", "0.002", "--load", "3")
         self.assertIn("Hertz", done.stderr)
-        found, known = ({row["parameter"]: row["value"] for row in rows("translate", "--quiet", *law, "--mu", "0.5", "--mu-r", "0.002", "--load", "3")}
+        found, known = ({
+            row["parameter"]: row["value"]
+            for row in rows("translate", "--quiet", *law, "--mu", "0.5", "--mu-r", "0.002", "--load", "3")
+        }
                         for law in ([], ["--law", "uniform"]))
         for parameter, value in found.items():
             self.assert_close(value, known[parameter], 1e-14)

@@ -87,13 +87,16 @@ TEST(ContactFit, RecoversAHundredTruthsOfEveryModelToEightDigits) {
       const FitReport report = fit_contact(samples, item.model).report;
       EXPECT_TRUE(report.converged) << report.message;
       EXPECT_GE(log_relative_error(report.estimates[0].value, item.truth.mu), 8.0) << item.model.name();
-      EXPECT_GE(log_relative_error(report.estimates[1].value, item.truth.mu * item.truth.radius * item.moment_ratio), 8.0)
+      EXPECT_GE(log_relative_error(report.estimates[1].value, item.truth.mu * item.truth.radius * item.moment_ratio),
+                8.0)
           << item.model.name();
       if (const char* shape = shape_name(kind)) {
-        EXPECT_GE(log_relative_error(report.at(shape).value, item.shape), 8.0) << item.model.name() << " " << item.shape;
+        EXPECT_GE(log_relative_error(report.at(shape).value, item.shape), 8.0)
+            << item.model.name() << " " << item.shape;
       }
       if (kind == Kind::law || kind == Kind::power || kind == Kind::xydas_kao) {
-        EXPECT_GE(log_relative_error(report.at("radius").value, item.truth.radius), 8.0) << item.model.name() << " " << item.shape;
+        EXPECT_GE(log_relative_error(report.at("radius").value, item.truth.radius), 8.0)
+            << item.model.name() << " " << item.shape;
       }
     }
   }
@@ -101,8 +104,9 @@ TEST(ContactFit, RecoversAHundredTruthsOfEveryModelToEightDigits) {
 
 /// Once, "comes back to 1e-8" held for the laws in the middle of the families only (power:n=1000: 5e-6).
 TEST(ContactFit, RecoversTheRadiusUnderEveryFormulaToEightDigits) {
-  for (const char* text : {"flat-punch", "uniform", "parabolic", "cone", "power:n=-0.95", "power:n=6", "power:n=20", "power:n=1000",
-                           "xydas-kao:k=0.2", "xydas-kao:k=50", "gaussian:sigma=0.001", "gaussian:sigma=5", "mix:0.7*hertz+0.3*uniform"}) {
+  for (const char* text :
+       {"flat-punch", "uniform", "parabolic", "cone", "power:n=-0.95", "power:n=6", "power:n=20", "power:n=1000",
+        "xydas-kao:k=0.2", "xydas-kao:k=50", "gaussian:sigma=0.001", "gaussian:sigma=5", "mix:0.7*hertz+0.3*uniform"}) {
     Random random(11);
     const Law law = parse_law(text);
     const Truth truth{0.7, 0.005};
@@ -125,7 +129,9 @@ TEST(ContactFit, RecoversTheGrowthOfTheRadiusWithTheLoad) {
     EXPECT_NEAR(free.at("gamma").value, truth.gamma, 1e-9);
     options.fit_gamma = false;
     options.gamma = truth.gamma;
-    EXPECT_GE(log_relative_error(fit_contact(samples, ContactModel::of(uniform()), options).report.at("c").value, truth.radius), 8.0);
+    EXPECT_GE(log_relative_error(fit_contact(samples, ContactModel::of(uniform()), options).report.at("c").value,
+                                 truth.radius),
+              8.0);
   }
 }
 
@@ -167,7 +173,8 @@ TEST(ContactFit, RefusesByNameWhatTheSamplesCannotTell) {
   std::vector<Sample> alike = good;
   for (std::size_t i = 0; i < alike.size(); ++i) {
     const double load = i % 2 == 0 ? 4.0 : 4.001;
-    alike[i] = {load, alike[i].force / alike[i].load * load * (1.0 + 0.02 * random.normal()), alike[i].moment / alike[i].load * load};
+    alike[i] = {load, alike[i].force / alike[i].load * load * (1.0 + 0.02 * random.normal()),
+                alike[i].moment / alike[i].load * load};
   }
   ContactFitOptions growth;
   growth.fit_gamma = true;
@@ -177,10 +184,12 @@ TEST(ContactFit, RefusesByNameWhatTheSamplesCannotTell) {
   std::vector<Sample> ends;
   for (int i = 0; i < 20; ++i) ends.push_back(i % 2 == 0 ? Sample{1.0, 0.7, 0.0} : Sample{1.0, 0.0, 0.0016});
   EXPECT_EQ(refusal(ends, law), "none");
-  EXPECT_NE(refusal(ends, {Kind::power}).find("not identifiable from these samples: n"), std::string::npos) << refusal(ends, {Kind::power});
+  EXPECT_NE(refusal(ends, {Kind::power}).find("not identifiable from these samples: n"), std::string::npos)
+      << refusal(ends, {Kind::power});
 }
 
-/// Slips about centres of rotation at 0.6 radii, spread by so much of it. Noise once passed for a spread: mu 1.009 +- 0.049 for 0.8.
+/// Slips about centres of rotation at 0.6 radii, spread by so much of it. Noise once passed for a spread: mu 1.009 +-
+/// 0.049 for 0.8.
 std::vector<Sample> slips_about(double spread, double noise, bool tell, Random& random) {
   const double mu_r = 0.8 * 0.005 * hertz()->moment_ratio();
   std::vector<Sample> samples;
@@ -217,7 +226,8 @@ TEST(ContactFit, NamesTheBadSample) {
             "sample 7: force = nan: expected a finite number of N");
   EXPECT_EQ(with([](Sample& s) { s.moment = std::numeric_limits<double>::infinity(); }),
             "sample 7: moment = inf: expected a finite number of N m");
-  EXPECT_EQ(with([](Sample& s) { s.sigma_force = 0.1; }), "sample 7: sigma_force = 0.1: expected 0 in every sample, as in the first");
+  EXPECT_EQ(with([](Sample& s) { s.sigma_force = 0.1; }),
+            "sample 7: sigma_force = 0.1: expected 0 in every sample, as in the first");
 }
 
 TEST(ContactFit, NoiseIsRefusedOrAnsweredInFiniteNumbers) {
@@ -229,7 +239,8 @@ TEST(ContactFit, NoiseIsRefusedOrAnsweredInFiniteNumbers) {
     const double force_size = std::pow(10.0, random.uniform(-9.0, 9.0)) * (trial % 5 == 1 ? 1e-9 : 1.0);
     const double moment_size = trial % 5 == 2 ? 1e-9 : 1.0;
     for (int k = 0; k < 1 + trial % 9; ++k) {
-      samples.push_back({std::exp(random.uniform(-5.0, 5.0)), force_size * random.normal(), moment_size * random.normal()});
+      samples.push_back(
+          {std::exp(random.uniform(-5.0, 5.0)), force_size * random.normal(), moment_size * random.normal()});
     }
     for (const Kind kind : {Kind::ellipse, Kind::power, Kind::xydas_kao}) {
       for (const Loss& loss : {Loss::squared(), Loss::cauchy()}) {
@@ -344,7 +355,8 @@ TEST(ContactFit, BandHoldsTheTruthAndResidualsAreInStandardDeviations) {
         return ExactCurve(hertz()).gauge({f, m});
       };
       held += gauge(at.inner_force, at.inner_moment) <= 1.0 && gauge(at.outer_force, at.outer_moment) >= 1.0 ? 1 : 0;
-      for (const double residual : fit.residuals) squares += residual * residual / (seeds * static_cast<double>(samples.size()));
+      for (const double residual : fit.residuals)
+        squares += residual * residual / (seeds * static_cast<double>(samples.size()));
     }
     // Binomial: 190 ± 3.1.
     EXPECT_NEAR(held, 190, 10) << tell;

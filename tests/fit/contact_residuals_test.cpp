@@ -34,8 +34,8 @@ std::vector<WeightedSample> some_samples(synthetic::Random& random) {
     const double angle = random.uniform(0.0, 1.5707963);
     const double radius = random.uniform(0.8, 1.2);
     const double load = random.uniform(0.5, 5.0);
-    samples.push_back(
-        {20.0 * load * radius * std::cos(angle), 30.0 * load * radius * std::sin(angle), 20.0 * load, 30.0 * load, std::log(load)});
+    samples.push_back({20.0 * load * radius * std::cos(angle), 30.0 * load * radius * std::sin(angle), 20.0 * load,
+                       30.0 * load, std::log(load)});
   }
   // On the axes, where the closest point may be an end of the curve.
   samples.push_back({20.0, 0.0, 20.0, 30.0, 0.0});
@@ -52,14 +52,15 @@ std::vector<double> some_parameters(const UnitCurve& curve, synthetic::Random& r
   return parameters;
 }
 
-// Well inside the curve the distance has two minima. The search found one of them by chance, so that a cost depended on where the minimiser came
-// from, and it stopped where the cost still fell.
+// Well inside the curve the distance has two minima. The search found one of them by chance, so that a cost depended on
+// where the minimiser came from, and it stopped where the cost still fell.
 TEST(ContactResiduals, OfSamplesInsideAreTheLeastDistanceWhereverTheSearchBegan) {
   for (const Case& item : cases) {
     synthetic::Random random(12);
     const std::unique_ptr<UnitCurve> curve = item.make();
     std::vector<WeightedSample> samples;
-    for (int i = 0; i < 40; ++i) samples.push_back({random.uniform(0.0, 18.0), random.uniform(0.0, 27.0), 20.0, 30.0, 0.0});
+    for (int i = 0; i < 40; ++i)
+      samples.push_back({random.uniform(0.0, 18.0), random.uniform(0.0, 27.0), 20.0, 30.0, 0.0});
     const ContactLayout layout{!curve->shape_name().empty(), false, 0.0};
     const ContactResiduals residuals(samples, *curve, layout);
     std::vector<double> parameters{0.0, 0.0};
@@ -107,9 +108,11 @@ TEST(ContactResiduals, GradientsAgreeWithDifferences) {
             model.evaluate(i, there, value, nullptr);
             return value;
           };
-          const double difference = (8.0 * (shifted(step) - shifted(-step)) - (shifted(2 * step) - shifted(-2 * step))) / (12.0 * step);
+          const double difference =
+              (8.0 * (shifted(step) - shifted(-step)) - (shifted(2 * step) - shifted(-2 * step))) / (12.0 * step);
           // Residuals are of the size of load_moment, their third derivatives of some hundred times that near the rim.
-          EXPECT_NEAR(gradient[j], difference, 1e-6 * samples[i].load_moment) << item.name << " sample " << i << " parameter " << j;
+          EXPECT_NEAR(gradient[j], difference, 1e-6 * samples[i].load_moment)
+              << item.name << " sample " << i << " parameter " << j;
         }
       }
     }

@@ -19,20 +19,22 @@ struct Honesty {
   double scatter = 0.0;    ///< root mean square error over the truth
 };
 
-/// Which samples of a study are spoilt: one in ten, taken while the finger held (inside the curve by factors of 0.2 to 0.6), or every second of
-/// those in an impact (outside, 1.5 to 3).
+/// Which samples of a study are spoilt: one in ten, taken while the finger held (inside the curve by factors of 0.2 to
+/// 0.6), or every second of those in an impact (outside, 1.5 to 3).
 enum class Outliers { none, inside, both_sides };
 
 /// Fits `model` to `seeds` noisy copies of 100 samples of the contact that `law` (shape parameter `shape`) makes with
-/// μ = 0.8, a = 5 mm. `noise` is the relative error of force, and `moment_noise` times it that of moment; `tell` gives the sigmas to the fit.
-/// Fits that declare the shape unknown (infinite standard error) are left out and counted in `blanks`.
-inline std::map<std::string, Honesty> study(const ContactModel& model, const Law& law, double shape, double noise, bool tell, int seeds,
-                                            int& blanks, const Loss& loss = {}, Outliers outliers = Outliers::none,
-                                            double moment_noise = 1.0) {
+/// μ = 0.8, a = 5 mm. `noise` is the relative error of force, and `moment_noise` times it that of moment; `tell` gives
+/// the sigmas to the fit. Fits that declare the shape unknown (infinite standard error) are left out and counted in
+/// `blanks`.
+inline std::map<std::string, Honesty> study(const ContactModel& model, const Law& law, double shape, double noise,
+                                            bool tell, int seeds, int& blanks, const Loss& loss = {},
+                                            Outliers outliers = Outliers::none, double moment_noise = 1.0) {
   const Truth truth{0.8, 0.005};
   const double mu_r = truth.mu * truth.radius * law->moment_ratio();
-  const std::map<std::string, double> truths{{"mu", truth.mu}, {"mu_r", mu_r}, {"ratio", mu_r / truth.mu}, {"radius", truth.radius},
-                                             {"n", shape},     {"k", shape},   {"force_max", truth.mu},    {"moment_max", mu_r}};
+  const std::map<std::string, double> truths{{"mu", truth.mu},         {"mu_r", mu_r},      {"ratio", mu_r / truth.mu},
+                                             {"radius", truth.radius}, {"n", shape},        {"k", shape},
+                                             {"force_max", truth.mu},  {"moment_max", mu_r}};
   Random loads(5);
   const std::vector<Sample> exact = clean(curve_of(law), truth, 100, loads);
   std::map<std::string, Honesty> result;
@@ -42,7 +44,8 @@ inline std::map<std::string, Honesty> study(const ContactModel& model, const Law
     std::vector<Sample> samples = exact;
     disturb(samples, noise, truth.mu, moment_noise * mu_r, tell, random);
     for (std::size_t i = 3; outliers != Outliers::none && i < samples.size(); i += 10) {
-      const double factor = outliers == Outliers::both_sides && i % 20 == 3 ? random.uniform(1.5, 3.0) : random.uniform(0.2, 0.6);
+      const double factor =
+          outliers == Outliers::both_sides && i % 20 == 3 ? random.uniform(1.5, 3.0) : random.uniform(0.2, 0.6);
       samples[i].force *= factor;
       samples[i].moment *= factor;
     }

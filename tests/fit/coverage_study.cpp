@@ -19,13 +19,18 @@ int main(int argc, char** argv) {
   }
   using synthetic::Outliers;
   std::puts("model,noise,sigmas,loss,outliers,parameter,relative_std_error,relative_rms_error,bias,coverage,blanks");
-  const auto row = [seeds](const char* name, const ContactModel& model, const Law& law, double shape, double noise, bool tell,
-                           const Loss& loss = {}, Outliers outliers = Outliers::none, double moment_noise = 1.0) {
+  const auto row = [seeds](const char* name, const ContactModel& model, const Law& law, double shape, double noise,
+                           bool tell, const Loss& loss = {}, Outliers outliers = Outliers::none,
+                           double moment_noise = 1.0) {
     int blanks = 0;
-    for (const auto& [parameter, honesty] : synthetic::study(model, law, shape, noise, tell, seeds, blanks, loss, outliers, moment_noise)) {
-      const char* const which = outliers == Outliers::none ? "none" : outliers == Outliers::inside ? "inside" : "both sides";
-      std::printf("%s,%g,%s,%s,%s,%s,%.4f,%.4f,%+.3f,%.3f,%d\n", name, noise, tell ? "known" : "found", to_string(loss.kind), which,
-                  parameter.c_str(), honesty.std_error, honesty.scatter, honesty.bias, honesty.coverage, blanks);
+    for (const auto& [parameter, honesty] :
+         synthetic::study(model, law, shape, noise, tell, seeds, blanks, loss, outliers, moment_noise)) {
+      const char* const which = outliers == Outliers::none     ? "none"
+                                : outliers == Outliers::inside ? "inside"
+                                                               : "both sides";
+      std::printf("%s,%g,%s,%s,%s,%s,%.4f,%.4f,%+.3f,%.3f,%d\n", name, noise, tell ? "known" : "found",
+                  to_string(loss.kind), which, parameter.c_str(), honesty.std_error, honesty.scatter, honesty.bias,
+                  honesty.coverage, blanks);
     }
     std::fflush(stdout);
   };

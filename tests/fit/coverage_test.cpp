@@ -16,7 +16,8 @@
 namespace limitcurve::fit {
 namespace {
 
-/// With a free shape least squares is biased by up to so many standard errors; its intervals hold the truth all the same.
+/// With a free shape least squares is biased by up to so many standard errors; its intervals hold the truth all the
+/// same.
 constexpr double shape_bias = 0.4;
 
 /// A short version of `fit_coverage_study 200`; the module's README has its figures.
@@ -27,7 +28,8 @@ void expect_honest(const ContactModel& model, double noise, bool tell) {
   int blanks = 0;
   for (const auto& [name, honesty] : synthetic::study(model, hertz(), 0.5, noise, tell, seeds, blanks)) {
     // 300 draws determine the mean to 0.06 standard errors and a share of 95 % to 1.3 %: three times these.
-    EXPECT_LT(std::fabs(honesty.bias), (model.kind == ContactModel::Kind::law ? 0.1 : shape_bias) + 3 * 0.06 * wider) << name;
+    EXPECT_LT(std::fabs(honesty.bias), (model.kind == ContactModel::Kind::law ? 0.1 : shape_bias) + 3 * 0.06 * wider)
+        << name;
     EXPECT_NEAR(honesty.coverage, 0.95, 3 * 0.0126 * wider) << name;
   }
   EXPECT_EQ(blanks, 0);
@@ -45,8 +47,8 @@ TEST(Coverage, PressureLawWithErrorsOfAThirdOfAPercent) {
   expect_honest({ContactModel::Kind::power}, 0.003, true);
 }
 
-/// With the truth at the end of a parameter's range about half of the fits end there. The intervals of the limits hold the truth all the
-/// same, and so does γ's; of the shape nothing is reported.
+/// With the truth at the end of a parameter's range about half of the fits end there. The intervals of the limits hold
+/// the truth all the same, and so does γ's; of the shape nothing is reported.
 void expect_honest_at_the_end(const ContactModel& model, const Law& law, double gamma, const std::string& at_end) {
   constexpr int seeds = repetitions(100, 50);
   const synthetic::Truth truth{0.8, 0.005, gamma};

@@ -27,11 +27,13 @@ std::vector<Point> exact_points(const Law& law, std::size_t count) {
   const double quarter_turn = std::acos(0.0);
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = quarter_turn * static_cast<double>(i) / static_cast<double>(count - 1);
-    const WrenchEstimate exact = law->evaluate(i + 1 == count ? std::numeric_limits<double>::infinity() : moment_ratio * std::tan(angle));
+    const WrenchEstimate exact =
+        law->evaluate(i + 1 == count ? std::numeric_limits<double>::infinity() : moment_ratio * std::tan(angle));
     points.push_back({exact.wrench.force, exact.wrench.moment / moment_ratio, 0.0});
   }
   for (std::size_t i = 1; i < count; ++i) {
-    const double half = 0.5 * (std::atan2(points[i].x, points[i].y) - std::atan2(points[i - 1].x, points[i - 1].y)) / quarter_turn;
+    const double half =
+        0.5 * (std::atan2(points[i].x, points[i].y) - std::atan2(points[i - 1].x, points[i - 1].y)) / quarter_turn;
     points[i - 1].share += half;
     points[i].share += half;
   }
@@ -53,7 +55,8 @@ double largest_error(const std::vector<Point>& points, const Gauge& gauge, const
 }
 
 /// Compass search with diagonals: no derivatives, nothing of the module.
-std::vector<double> brute_force(const std::function<double(const std::vector<double>&)>& cost, std::vector<double> at, double finest) {
+std::vector<double> brute_force(const std::function<double(const std::vector<double>&)>& cost, std::vector<double> at,
+                                double finest) {
   double best = cost(at);
   for (double step = 0.05; step > finest;) {
     bool improved = false;
@@ -74,13 +77,16 @@ std::vector<double> brute_force(const std::function<double(const std::vector<dou
   return at;
 }
 
-const Gauge ellipse_gauge = [](Point p, const std::vector<double>& axes) { return std::hypot(p.x / axes[0], p.y / axes[1]); };
+const Gauge ellipse_gauge = [](Point p, const std::vector<double>& axes) {
+  return std::hypot(p.x / axes[0], p.y / axes[1]);
+};
 TEST(CurveFit, EllipseLeastSquaresIsTheMinimumThatBruteForceFinds) {
   for (const Law& law : {flat_punch(), uniform(), hertz(), parabolic(), cone()}) {
     const std::vector<Point> points = exact_points(law, 91);
     const CurveFit fit = fit_ellipse(law, Criterion::least_squares, 91);
     EXPECT_TRUE(fit.report.converged) << fit.report.message;
-    const auto best = brute_force([&](const auto& axes) { return mean_square(points, ellipse_gauge, axes); }, {1.0, 1.0}, 1e-9);
+    const auto best =
+        brute_force([&](const auto& axes) { return mean_square(points, ellipse_gauge, axes); }, {1.0, 1.0}, 1e-9);
     EXPECT_NEAR(fit.curve.force_max(), best[0], 1e-7) << law->name();
     EXPECT_NEAR(fit.curve.moment_max() / law->moment_ratio(), best[1], 1e-7) << law->name();
     EXPECT_NEAR(fit.report.rms, std::sqrt(mean_square(points, ellipse_gauge, best)), 1e-12) << law->name();
@@ -93,7 +99,8 @@ TEST(CurveFit, EllipseMinimaxIsTheMinimumThatBruteForceFinds) {
   for (const Law& law : {flat_punch(), uniform(), hertz(), parabolic()}) {
     const std::vector<Point> points = exact_points(law, 2001);
     const CurveFit fit = fit_ellipse(law, Criterion::minimax);
-    const auto best = brute_force([&](const auto& axes) { return largest_error(points, ellipse_gauge, axes); }, {0.97, 0.96}, 1e-8);
+    const auto best =
+        brute_force([&](const auto& axes) { return largest_error(points, ellipse_gauge, axes); }, {0.97, 0.96}, 1e-8);
     EXPECT_NEAR(fit.error.max_error, largest_error(points, ellipse_gauge, best), 1e-6) << law->name();
     EXPECT_NEAR(fit.curve.force_max(), best[0], 1e-5) << law->name();
     EXPECT_NEAR(fit.error.max_over_estimate, fit.error.max_under_estimate, 1e-9) << law->name();
@@ -102,7 +109,8 @@ TEST(CurveFit, EllipseMinimaxIsTheMinimumThatBruteForceFinds) {
   // little above the minimum.
   const std::vector<Point> points = exact_points(xydas_kao(0.2), 2001);
   const double found = largest_error(
-      points, ellipse_gauge, brute_force([&](const auto& axes) { return largest_error(points, ellipse_gauge, axes); }, {1.0, 1.0}, 1e-8));
+      points, ellipse_gauge,
+      brute_force([&](const auto& axes) { return largest_error(points, ellipse_gauge, axes); }, {1.0, 1.0}, 1e-8));
   const CurveError error = fit_ellipse(xydas_kao(0.2), Criterion::minimax).error;
   EXPECT_LT(error.max_error, found);
   EXPECT_NEAR(error.max_over_estimate, error.max_under_estimate, 1e-9);
@@ -116,8 +124,9 @@ TEST(CurveFit, TheInnerEllipseDoesNotCrossTheCurve) {
 
 /// The fit minimises the reported error, whatever the law and its unit of length.
 TEST(CurveFit, NoNeighbourHasALesserReportedError) {
-  for (const char* text : {"hertz", "flat-punch", "cone", "power:n=-0.95", "power:n=20", "power:n=1000", "xydas-kao:k=0.2",
-                           "xydas-kao:k=20", "gaussian:sigma=1", "gaussian:sigma=1e-3", "mix:0.9*power:n=500+0.1*flat-punch"}) {
+  for (const char* text :
+       {"hertz", "flat-punch", "cone", "power:n=-0.95", "power:n=20", "power:n=1000", "xydas-kao:k=0.2",
+        "xydas-kao:k=20", "gaussian:sigma=1", "gaussian:sigma=1e-3", "mix:0.9*power:n=500+0.1*flat-punch"}) {
     const Law law = parse_law(text);
     const ExactCurve exact(law);
     const double m0 = exact.moment_ratio();
@@ -128,8 +137,10 @@ TEST(CurveFit, NoNeighbourHasALesserReportedError) {
     for (const double step : {-0.01, -0.002, 0.002, 0.01}) {
       const double force = ellipse.curve.force_max();
       const double moment = ellipse.curve.moment_max();
-      EXPECT_GT(curve_error(Ellipse(force + step, moment), exact).rms_error, ellipse.error.rms_error - rounding) << text;
-      EXPECT_GT(curve_error(Ellipse(force, moment + step * m0), exact).rms_error, ellipse.error.rms_error - rounding) << text;
+      EXPECT_GT(curve_error(Ellipse(force + step, moment), exact).rms_error, ellipse.error.rms_error - rounding)
+          << text;
+      EXPECT_GT(curve_error(Ellipse(force, moment + step * m0), exact).rms_error, ellipse.error.rms_error - rounding)
+          << text;
     }
   }
 }

@@ -14,7 +14,8 @@ namespace limitcurve::fit {
 
 namespace {
 
-// Pushes of a disc whose coefficient grows with the share of spin, and scatters: the line through them by Eigen's least squares.
+// Pushes of a disc whose coefficient grows with the share of spin, and scatters: the line through them by Eigen's least
+// squares.
 TEST(FrictionFit, MeanAndDriftAreThoseOfALine) {
   constexpr double load = 5.0;
   const Patch patch = Patch::ellipse(hertz(), 0.01, 0.01);

@@ -43,7 +43,8 @@ struct Case {
 
 std::vector<Case> cases() {
   std::vector<Case> result;
-  const std::vector<ContactModel> models{{Kind::ellipse}, {Kind::power}, {Kind::xydas_kao}, ContactModel::of(uniform())};
+  const std::vector<ContactModel> models{
+      {Kind::ellipse}, {Kind::power}, {Kind::xydas_kao}, ContactModel::of(uniform())};
   std::vector<Loss> losses{Loss::huber()};
   if (studies_are_whole()) losses.insert(losses.end(), {Loss::squared(), Loss::cauchy()});
   for (const Loss& loss : losses) {
@@ -58,18 +59,22 @@ std::vector<Case> cases() {
         const std::string name =
             std::string(to_string(loss.kind)) + (fit_gamma ? ", gamma free from " : ", gamma ") + std::to_string(gamma);
         for (const ContactModel& model : models) {
-          result.push_back({model.name() + ", " + name,
-                            [=](std::span<const Sample> samples) { return fit_contact(samples, model, options).report; }, gamma});
+          result.push_back(
+              {model.name() + ", " + name,
+               [=](std::span<const Sample> samples) { return fit_contact(samples, model, options).report; }, gamma});
         }
-        result.push_back({"unknown law, " + name,
-                          [=](std::span<const Sample> samples) { return select_law(samples, options).candidates.front().report; }, gamma});
+        result.push_back(
+            {"unknown law, " + name,
+             [=](std::span<const Sample> samples) { return select_law(samples, options).candidates.front().report; },
+             gamma});
       }
     }
   }
   return result;
 }
 
-/// What the unit of an estimate is in new ones of length and force: metres `length` times as many, newtons `force` times.
+/// What the unit of an estimate is in new ones of length and force: metres `length` times as many, newtons `force`
+/// times.
 double unit(const Estimate& estimate, double length, double force, double gamma) {
   return estimate.unit == "m" ? length : estimate.unit == "m/N^gamma" ? length * std::pow(force, -gamma) : 1.0;
 }
@@ -82,8 +87,8 @@ double gamma_of(const FitReport& report, double assumed) {
 }
 
 /// Values within `share` of a standard error.
-void expect_same(const FitReport& found, const FitReport& expected, double share, double length, double force, double gamma,
-                 const std::string& name) {
+void expect_same(const FitReport& found, const FitReport& expected, double share, double length, double force,
+                 double gamma, const std::string& name) {
   ASSERT_EQ(found.estimates.size(), expected.estimates.size()) << name;
   EXPECT_EQ(found.note, expected.note) << name;
   const double growth = gamma_of(expected, gamma);
@@ -154,7 +159,8 @@ TEST(Invariance, RowsGivenTwiceGiveTheSameFitAndNoLessErrorThanTheirNumberAllows
       if (found.note != expected.note) continue;  // twice as much evidence may choose another law
       // The bias that curvature causes, and that is taken off, is half as large.
       expect_same(found, expected, 0.3, 1.0, 1.0, item.gamma, item.name);
-      // The error of a law that was chosen includes the choice, which twice the evidence narrows; and that of the model, which it tells.
+      // The error of a law that was chosen includes the choice, which twice the evidence narrows; and that of the
+      // model, which it tells.
       for (std::size_t i = 0; i < 2 && item.name.find("unknown") == std::string::npos; ++i) {
         const double ratio = found.estimates[i].std_error / expected.estimates[i].std_error;
         EXPECT_GT(ratio, std::sqrt(0.5) - 0.05) << item.name << ' ' << expected.estimates[i].name;
@@ -171,7 +177,8 @@ TEST(Invariance, GrowthOverTheLoadTooIsFittedAlike) {
       for (int i = 0; i < 80; ++i) {
         const double load = random.uniform(0.5, 12.0);
         const double exact = 0.002 * std::pow(load, quantity == LoadSamples::Quantity::radius ? 0.28 : 1.28);
-        samples.samples.push_back({load, exact * std::exp(0.03 * random.normal()) * (i == 7 ? 2.0 : 1.0), with_sigma ? 0.03 * exact : 0.0});
+        samples.samples.push_back(
+            {load, exact * std::exp(0.03 * random.normal()) * (i == 7 ? 2.0 : 1.0), with_sigma ? 0.03 * exact : 0.0});
       }
       for (const LoadModel model : {LoadModel::linear, LoadModel::hertz, LoadModel::power}) {
         for (const Loss& loss : {Loss::squared(), Loss::huber(), Loss::cauchy()}) {

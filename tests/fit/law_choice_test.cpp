@@ -39,7 +39,9 @@ DataSet data_set(int seed, double gamma) {
                                       "gaussian:sigma=1",
                                       "power:n=" + std::to_string(random.uniform(-0.5, 3.0)),
                                       "xydas-kao:k=" + std::to_string(random.uniform(1.0, 6.0))};
-  DataSet set{{random.uniform(0.3, 1.2), random.uniform(0.002, 0.006), gamma}, laws[static_cast<std::size_t>(seed) % laws.size()], {}};
+  DataSet set{{random.uniform(0.3, 1.2), random.uniform(0.002, 0.006), gamma},
+              laws[static_cast<std::size_t>(seed) % laws.size()],
+              {}};
   const Law law = parse_law(set.law);
   set.samples = synthetic::clean(synthetic::curve_of(law), set.truth, 120, random);
   constexpr double noise = 0.02;
@@ -141,7 +143,8 @@ TEST(LawChoice, OfManyRowsSomeChooseTheLawAndAllFitIt) {
   };
   const Estimate all = best(1000).report.at("mu");
   const ContactFit some = best(60);
-  EXPECT_NE(some.report.note.find("with 60 rows drawn evenly over load and slip"), std::string::npos) << some.report.note;
+  EXPECT_NE(some.report.note.find("with 60 rows drawn evenly over load and slip"), std::string::npos)
+      << some.report.note;
   EXPECT_EQ(some.residuals.size(), set.samples.size());
   EXPECT_NEAR(some.report.at("mu").value, all.value, all.std_error);
   std::ranges::reverse(set.samples);

@@ -43,7 +43,8 @@ class Problem final : public ResidualModel {
 
 /// The least cost with x on its upper bound.
 double least_on_bound(const Problem& problem, double bound) {
-  return boost::math::tools::brent_find_minima([&](double y) { return problem.cost(bound, y); }, -50.0, 50.0, 52).second;
+  return boost::math::tools::brent_find_minima([&](double y) { return problem.cost(bound, y); }, -50.0, 50.0, 52)
+      .second;
 }
 
 void expect_least(const Problem& problem, double start_x, double start_y, double bound) {
@@ -72,7 +73,8 @@ TEST(Minimise, ReachesTheMinimumOnABoundOfRandomDecays) {
     // The true exponent is 0.5, beyond the bound.
     const Problem decay([&](double exponent, double scale) {
       std::vector<double> residuals;
-      for (int i = 0; i < 20; ++i) residuals.push_back(scale * std::exp(0.1 * i * exponent) - measured[static_cast<std::size_t>(i)]);
+      for (int i = 0; i < 20; ++i)
+        residuals.push_back(scale * std::exp(0.1 * i * exponent) - measured[static_cast<std::size_t>(i)]);
       return residuals;
     });
     expect_least(decay, -2.0, 0.1, 0.3);

@@ -16,8 +16,8 @@ namespace {
 using synthetic::Random;
 
 /// Values c P^{γ+e} at loads from 0.2 to 20 N, with relative Gaussian noise.
-LoadSamples make(LoadSamples::Quantity quantity, double coefficient, double gamma, double noise, bool tell, std::size_t count,
-                 Random& random) {
+LoadSamples make(LoadSamples::Quantity quantity, double coefficient, double gamma, double noise, bool tell,
+                 std::size_t count, Random& random) {
   LoadSamples result{quantity, {}};
   const double exponent = gamma + (quantity == LoadSamples::Quantity::moment ? 1.0 : 0.0);
   for (std::size_t i = 0; i < count; ++i) {
@@ -39,8 +39,8 @@ TEST(LoadFit, RecoversAHundredTruthsToEightDigits) {
     const double coefficient = std::exp(random.uniform(-8.0, -4.0));
     const double gamma = i % 3 == 0 ? 0.0 : i % 3 == 1 ? 1.0 / 3.0 : random.uniform(0.0, 0.5);
     const LoadModel model = i % 3 == 0 ? LoadModel::linear : i % 3 == 1 ? LoadModel::hertz : LoadModel::power;
-    LoadSamples samples =
-        make(moments ? LoadSamples::Quantity::moment : LoadSamples::Quantity::radius, coefficient, gamma, 0.0, false, 12, random);
+    LoadSamples samples = make(moments ? LoadSamples::Quantity::moment : LoadSamples::Quantity::radius, coefficient,
+                               gamma, 0.0, false, 12, random);
     if (i % 4 < 2) {
       for (LoadSample& sample : samples.samples) sample.sigma = 0.01 * sample.value;
     }
@@ -79,7 +79,8 @@ TEST(LoadFit, StandardErrorsAreThoseOfARegressionLine) {
   }
   const double slope = xy / xx;
   double squares = 0.0;
-  for (const LoadSample& s : samples.samples) squares += std::pow(std::log(s.value) - y - slope * (std::log(s.load) - x), 2);
+  for (const LoadSample& s : samples.samples)
+    squares += std::pow(std::log(s.value) - y - slope * (std::log(s.load) - x), 2);
   const double variance = squares / (n - 2.0);
   const FitReport report = fit_load(samples, LoadModel::power).report;
   EXPECT_NEAR(report.at("gamma").value, slope, 1e-10);
@@ -109,7 +110,8 @@ TEST(LoadFit, NinetyFivePercentIntervalsCoverTheTruth) {
 }
 
 TEST(LoadFit, RobustLossOutlivesGrossOutliers) {
-  // All outliers on one side: Huber's bounded pull then still shifts the answer by about a standard error, Cauchy's does not.
+  // All outliers on one side: Huber's bounded pull then still shifts the answer by about a standard error, Cauchy's
+  // does not.
   constexpr int seeds = 100;
   int within = 0;
   int plain_within = 0;
@@ -135,7 +137,11 @@ TEST(LoadFit, ChoosesTheModelThatMadeTheData) {
     int right = 0;
     for (int seed = 0; seed < 100; ++seed) {
       Random random(static_cast<std::uint64_t>(700 + seed));
-      right += select_load(make(LoadSamples::Quantity::radius, 2e-3, gamma, 0.01, true, 60, random)).candidates[0].model == truth ? 1 : 0;
+      right +=
+          select_load(make(LoadSamples::Quantity::radius, 2e-3, gamma, 0.01, true, 60, random)).candidates[0].model ==
+                  truth
+              ? 1
+              : 0;
     }
     return right;
   };
@@ -147,7 +153,8 @@ TEST(LoadFit, ChoosesTheModelThatMadeTheData) {
   int warned = 0;
   for (int seed = 0; seed < 100; ++seed) {
     Random random(static_cast<std::uint64_t>(900 + seed));
-    const LoadSelection unclear = select_load(make(LoadSamples::Quantity::radius, 2e-3, 1.0 / 6.0, 0.25, true, 6, random));
+    const LoadSelection unclear =
+        select_load(make(LoadSamples::Quantity::radius, 2e-3, 1.0 / 6.0, 0.25, true, 6, random));
     warned += unclear.aic_difference[1] < 2.0 ? 1 : 0;
     EXPECT_EQ(unclear.candidates[0].report.warnings.empty(), unclear.aic_difference[1] >= 2.0);
   }
@@ -190,13 +197,15 @@ TEST(LoadFit, SaysWhatSigmasAndTheRangeOfGammaContradict) {
   for (LoadSample& sample : samples.samples) sample.sigma *= 0.1;
   EXPECT_TRUE(warned(samples, "times what the sigmas say"));
   EXPECT_FALSE(warned(samples, "end of its range"));
-  EXPECT_TRUE(warned(make(LoadSamples::Quantity::radius, 2e-3, 1.8, 0.01, true, 20, random), "gamma is at the end of its range, 1.5"));
+  EXPECT_TRUE(warned(make(LoadSamples::Quantity::radius, 2e-3, 1.8, 0.01, true, 20, random),
+                     "gamma is at the end of its range, 1.5"));
 }
 
 TEST(LoadFit, RefusesByName) {
   Random random(7);
   LoadSamples one_load{LoadSamples::Quantity::radius, {{1.0, 2e-3}, {1.0, 2.1e-3}, {1.0, 1.9e-3}}};
-  EXPECT_NE(refusal(one_load, LoadModel::power).find("gamma"), std::string::npos) << refusal(one_load, LoadModel::power);
+  EXPECT_NE(refusal(one_load, LoadModel::power).find("gamma"), std::string::npos)
+      << refusal(one_load, LoadModel::power);
   EXPECT_EQ(refusal(one_load, LoadModel::linear), "none");
   EXPECT_EQ(refusal({LoadSamples::Quantity::moment, {{1.0, 2e-3}}}, LoadModel::power)
                 .find("not identifiable from 1 sample: mu_r, gamma, expected at least 3"),

@@ -25,8 +25,9 @@ TEST(ModelFit, RatioOnTheTableOfKinoshitaGivesBackItsRatios) {
     const char* material;
     double mu, mu_sd, mu_r, mu_r_sd, ratio, ratio_sd;
   };
-  for (const Row& row : {Row{"rayon", 0.42, 0.07, 3.05, 0.57, 7.39, 0.91}, Row{"suede", 0.61, 0.1, 3.84, 0.74, 6.37, 0.88},
-                         Row{"sandpaper", 1.67, 0.24, 10.11, 1.50, 6.20, 1.54}}) {
+  for (const Row& row :
+       {Row{"rayon", 0.42, 0.07, 3.05, 0.57, 7.39, 0.91}, Row{"suede", 0.61, 0.1, 3.84, 0.74, 6.37, 0.88},
+        Row{"sandpaper", 1.67, 0.24, 10.11, 1.50, 6.20, 1.54}}) {
     // Per newton of load: one pure slide, one pure twist.
     const std::vector<Sample> samples{{1.0, row.mu, 0.0, row.mu_sd, 1e-3 * row.mu_r_sd},
                                       {1.0, 0.0, 1e-3 * row.mu_r, row.mu_sd, 1e-3 * row.mu_r_sd}};
@@ -50,10 +51,10 @@ TEST(ModelFit, EachNameDoesItsFit) {
   EXPECT_EQ(fit_model("ellipse", samples).report.estimates[0].name, "force_max");
   EXPECT_NEAR(fit_model("law", samples, uniform()).report.at("radius").value, 0.004, 1e-10);
   EXPECT_NEAR(fit_model("law", samples).report.at("radius").value, 0.004, 1e-6);
-  EXPECT_EQ(
-      fit_model("load", LoadSamples{LoadSamples::Quantity::radius, {{1.0, 2e-3}, {2.0, 2e-3}, {4.0, 2.1e-3}, {8.0, 1.9e-3}, {9.0, 2e-3}}})
-          .model,
-      "linear");
+  EXPECT_EQ(fit_model("load", LoadSamples{LoadSamples::Quantity::radius,
+                                          {{1.0, 2e-3}, {2.0, 2e-3}, {4.0, 2.1e-3}, {8.0, 1.9e-3}, {9.0, 2e-3}}})
+                .model,
+            "linear");
   EXPECT_TRUE(fit_model("ellipse", hertz()).error.has_value());
 }
 
@@ -71,7 +72,8 @@ class GermanNumbers {
     const std::string folder = testing::TempDir() + "locale";
     std::filesystem::create_directories(folder);
     const std::string make = "localedef -i de_DE -f UTF-8 --no-archive " + folder + "/de_DE.UTF-8 >/dev/null 2>&1";
-    if (std::system(make.c_str()) == 0 && ::setenv("LOCPATH", folder.c_str(), 1) == 0) std::setlocale(LC_ALL, "de_DE.UTF-8");
+    if (std::system(make.c_str()) == 0 && ::setenv("LOCPATH", folder.c_str(), 1) == 0)
+      std::setlocale(LC_ALL, "de_DE.UTF-8");
     ::unsetenv("LOCPATH");
     std::filesystem::remove_all(folder);
   }

@@ -38,7 +38,8 @@ struct Setting {
   Loss loss;
 };
 
-/// How many of `sets` data sets with 2 % noise and one gross error give mu, ratio and radius within three standard errors each.
+/// How many of `sets` data sets with 2 % noise and one gross error give mu, ratio and radius within three standard
+/// errors each.
 struct Within {
   int mu = 0;
   int ratio = 0;
@@ -79,7 +80,8 @@ TEST(Robustness, OneGrossErrorLeavesEstimatesWithinThreeStandardErrors) {
         const Within within = one_gross_outlier({rows, with_sigma, loss}, law, sets);
         sum = {sum.mu + within.mu, sum.ratio + within.ratio, sum.radius + within.radius};
       }
-      const std::string where = std::string(with_sigma ? "sigmas" : "no sigmas") + ", loss " + std::to_string(static_cast<int>(loss.kind));
+      const std::string where =
+          std::string(with_sigma ? "sigmas" : "no sigmas") + ", loss " + std::to_string(static_cast<int>(loss.kind));
       EXPECT_GE(sum.mu, 0.95 * 3 * sets) << where;
       EXPECT_GE(sum.ratio, 0.95 * 3 * sets) << where;
       EXPECT_GE(sum.radius, 0.95 * 3 * sets) << where;
@@ -105,15 +107,16 @@ TEST(Robustness, GrossErrorsDoNotWidenTheStandardErrors) {
       for (std::size_t row = 5; row < 60; row += 10) spoil(samples[row], 2, 6.0);
       const FitReport report = fit_contact(samples, ContactModel::of(hertz()), options).report;
       with += report.at("mu").std_error;
-      for (const std::string& warning : report.warnings) EXPECT_EQ(warning.find("inside the curve"), std::string::npos) << warning;
+      for (const std::string& warning : report.warnings)
+        EXPECT_EQ(warning.find("inside the curve"), std::string::npos) << warning;
     }
     EXPECT_LT(with, 2.0 * without);
   }
 }
 
 /// The largest deviation of mu and mu_r from the truth, in percent, when `outliers` of the rows are spoilt.
-double worst_percent(const ContactModel& model, const Loss& loss, std::size_t rows, std::size_t outliers, double factor, bool with_sigma,
-                     std::uint64_t seed) {
+double worst_percent(const ContactModel& model, const Loss& loss, std::size_t rows, std::size_t outliers, double factor,
+                     bool with_sigma, std::uint64_t seed) {
   const Truth truth{0.8, 0.005};
   const double mu_r = truth.mu * truth.radius * hertz()->moment_ratio();
   Random random(seed);
@@ -123,13 +126,14 @@ double worst_percent(const ContactModel& model, const Loss& loss, std::size_t ro
   ContactFitOptions options;
   options.loss = loss;
   const FitReport report = fit_contact(samples, model, options).report;
-  return 100.0 * std::fmax(std::fabs(report.estimates[0].value / truth.mu - 1.0), std::fabs(report.estimates[1].value / mu_r - 1.0));
+  return 100.0 * std::fmax(std::fabs(report.estimates[0].value / truth.mu - 1.0),
+                           std::fabs(report.estimates[1].value / mu_r - 1.0));
 }
 
 TEST(Robustness, CauchyOutlivesAThirdOfTheRowsInEveryModel) {
   using Kind = ContactModel::Kind;
-  for (const ContactModel& model :
-       {ContactModel::of(hertz()), ContactModel{Kind::ellipse}, ContactModel{Kind::power}, ContactModel{Kind::xydas_kao}}) {
+  for (const ContactModel& model : {ContactModel::of(hertz()), ContactModel{Kind::ellipse}, ContactModel{Kind::power},
+                                    ContactModel{Kind::xydas_kao}}) {
     // An ellipse is not the curve of the data: it lies where it is nearest to them.
     const double most = model.kind == Kind::ellipse ? 6.0 : 5.0;
     for (const bool with_sigma : {false, true}) {

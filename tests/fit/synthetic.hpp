@@ -17,7 +17,9 @@ namespace limitcurve::fit::synthetic {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : generator_(seed) {}
-  double uniform(double low, double high) { return low + (high - low) * (static_cast<double>(generator_() >> 11) * 0x1p-53); }
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(generator_() >> 11) * 0x1p-53);
+  }
   double normal() {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform(0.0, 1.0)));
     return radius * std::cos(6.283185307179586 * uniform(0.0, 1.0));
@@ -48,7 +50,8 @@ inline std::vector<Sample> clean(const Curve& curve, const Truth& truth, std::si
     const double u = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
     const double load = random.uniform(0.5, 10.0);
     const UnitWrench wrench = curve((1.0 - u) / u);
-    samples.push_back({load, truth.mu * load * wrench.force, truth.mu * load * truth.radius * std::pow(load, truth.gamma) * wrench.moment});
+    samples.push_back({load, truth.mu * load * wrench.force,
+                       truth.mu * load * truth.radius * std::pow(load, truth.gamma) * wrench.moment});
   }
   return samples;
 }

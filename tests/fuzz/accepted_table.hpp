@@ -19,7 +19,8 @@ inline void require_usable(const Table& table) {
     const SlipTwist twist = SlipTwist::of_spin_fraction(u);
     const UnitWrench wrench = table.wrench(twist);
     require(is_finite(wrench.force) && is_finite(wrench.moment), "a table's wrench is not finite");
-    require(wrench.force >= -slack && wrench.force <= table.force_max() + slack, "a table's force is outside its intercepts");
+    require(wrench.force >= -slack && wrench.force <= table.force_max() + slack,
+            "a table's force is outside its intercepts");
     require(wrench.moment >= -slack && wrench.moment <= table.force_max() * table.moment_ratio() + slack,
             "a table's moment is outside its intercepts");
     const RadialPoint along = table.along({u, (1.0 - u) * table.moment_ratio()});
@@ -28,8 +29,8 @@ inline void require_usable(const Table& table) {
   }
 }
 
-/// Reads the text by `read`; what fails by its checksum alone is read again with the right one, which the complaint tells:
-/// the checksum keeps accidents out, not the rest of the checks idle.
+/// Reads the text by `read`; what fails by its checksum alone is read again with the right one, which the complaint
+/// tells: the checksum keeps accidents out, not the rest of the checks idle.
 template <class Read>
 void read_despite_checksum(std::string text, Read&& read) {
   std::optional<Table> table;

@@ -47,7 +47,8 @@ inline godobject::FingerParameters any_parameters(Bytes& bytes) {
   return result;
 }
 
-/// The folder, if any, that tables are kept in: what a table is built from, functions in extended precision, differs between machines.
+/// The folder, if any, that tables are kept in: what a table is built from, functions in extended precision, differs
+/// between machines.
 inline std::filesystem::path kept_tables;
 
 /// The table of that name, as it is kept, or built.

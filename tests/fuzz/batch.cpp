@@ -22,7 +22,8 @@ void move_all(fuzz::Bytes& bytes, BasicContactArrays<Real>& arrays) {
     arrays.x()[i] = static_cast<Real>(fuzz::any_double(bytes, raw(0), 0.02));
     if (raw(1)) arrays.y()[i] = static_cast<Real>(fuzz::any_double(bytes, raw(0), 0.02));
     arrays.depth()[i] = static_cast<Real>(fuzz::any_double(bytes, raw(2), 0.004));
-    arrays.twist()[i] = static_cast<Real>(raw(3) ? fuzz::any_double(bytes, true, 1.0) : last_angle + fuzz::any_double(bytes, raw(4), 3.0));
+    arrays.twist()[i] = static_cast<Real>(raw(3) ? fuzz::any_double(bytes, true, 1.0)
+                                                 : last_angle + fuzz::any_double(bytes, raw(4), 3.0));
   }
 }
 
@@ -43,18 +44,20 @@ void run(fuzz::Bytes bytes) {
     const BasicContactBatch<Real> before = before_arrays.batch();
     batch.front().step(now);
     for (std::size_t i = 0; i < count; ++i) {
-      for (const Real value : {now.proxy_x[i], now.proxy_y[i], now.proxy_angle[i], now.fx[i], now.fy[i], now.moment[i], now.search_start[i],
-                               now.search_rate[i]}) {
+      for (const Real value : {now.proxy_x[i], now.proxy_y[i], now.proxy_angle[i], now.fx[i], now.fy[i], now.moment[i],
+                               now.search_start[i], now.search_rate[i]}) {
         fuzz::require(std::isfinite(value), "a number of a batch is not finite");
       }
       if (now.state[i] == ContactState::free || before.force_slides[i] == ContactState::free) continue;
       if (now.state[i] == ContactState::stick || now.state[i] == ContactState::invalid) {
-        fuzz::require(now.proxy_x[i] == before.proxy_x[i] && now.proxy_y[i] == before.proxy_y[i], "a proxy that sticks slides");
+        fuzz::require(now.proxy_x[i] == before.proxy_x[i] && now.proxy_y[i] == before.proxy_y[i],
+                      "a proxy that sticks slides");
         fuzz::require(!has_torsion || now.proxy_angle[i] == before.proxy_angle[i], "a proxy that sticks turns");
       } else {
         fuzz::require(now.fx[i] * (now.proxy_x[i] - before.proxy_x[i]) <= Real(0), "a slip that gains energy along x");
         fuzz::require(now.fy[i] * (now.proxy_y[i] - before.proxy_y[i]) <= Real(0), "a slip that gains energy along y");
-        fuzz::require(now.moment[i] * (now.proxy_angle[i] - before.proxy_angle[i]) <= Real(0), "a slip that gains energy in the twist");
+        fuzz::require(now.moment[i] * (now.proxy_angle[i] - before.proxy_angle[i]) <= Real(0),
+                      "a slip that gains energy in the twist");
       }
     }
   }

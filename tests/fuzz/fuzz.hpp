@@ -20,7 +20,8 @@
 /// What the fuzz targets share.
 namespace limitcurve::fuzz {
 
-/// A target: what the program does with an input if its first argument is `name`, which is also the folder of the target's seeds.
+/// A target: what the program does with an input if its first argument is `name`, which is also the folder of the
+/// target's seeds.
 struct Target {
   using Body = void (*)(const std::uint8_t* data, std::size_t size);
   Target(std::string_view name, Body body) { all().emplace(name, body); }
@@ -37,8 +38,8 @@ inline void require(bool holds, std::string_view what) {
   std::abort();
 }
 
-/// The complaint of `body` about its input; nothing if it had none. Any exception but std::invalid_argument is a finding,
-/// and so is a complaint that says nothing.
+/// The complaint of `body` about its input; nothing if it had none. Any exception but std::invalid_argument is a
+/// finding, and so is a complaint that says nothing.
 template <class Body>
 std::optional<std::string> complaint_of(Body&& body) {
   try {
@@ -87,7 +88,8 @@ class Bytes {
 /// A file whose contents can be replaced, for readers that open a file by its name.
 class TemporaryFile {
  public:
-  TemporaryFile() : path_(std::filesystem::temp_directory_path() / "fuzz-XXXXXX"), descriptor_(::mkstemp(path_.data())) {
+  TemporaryFile()
+      : path_(std::filesystem::temp_directory_path() / "fuzz-XXXXXX"), descriptor_(::mkstemp(path_.data())) {
     require(descriptor_ >= 0, "no temporary file");
   }
   ~TemporaryFile() {
@@ -98,8 +100,8 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   void replace(std::string_view text) {
-    const bool written =
-        ::ftruncate(descriptor_, 0) == 0 && ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+    const bool written = ::ftruncate(descriptor_, 0) == 0 &&
+                         ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
     require(written, "cannot write to the temporary file");
   }
   [[nodiscard]] const std::string& path() const { return path_; }

@@ -22,8 +22,8 @@ inline void require_honest_at(const PressureLaw& law, double s) {
   require(quick.force >= 0.0 && quick.moment >= 0.0, "a law's forces are negative");
 }
 
-/// The same at a few places; in a search at one of them, which the input chooses: the parser is what a search is for, and
-/// most of the time would go into quadrature.
+/// The same at a few places; in a search at one of them, which the input chooses: the parser is what a search is for,
+/// and most of the time would go into quadrature.
 inline void require_honest(const PressureLaw& law, std::string_view input) {
   constexpr double places[] = {0.0, 1e-9, 0.4, 1.0, 3.0, 1e9, std::numeric_limits<double>::infinity()};
 #ifdef LIMITCURVE_SEARCHES

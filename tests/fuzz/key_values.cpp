@@ -17,14 +17,16 @@ struct Grip {
 
 std::optional<std::string> read(std::string_view text, Grip& grip) {
   return fuzz::complaint_of([&] {
-    read_key_values(text, {number_key("from", grip.from, ranges::positive), number_key("to", grip.to, ranges::non_negative, false),
-                           angle_key("target", grip.target, ranges::finite, false)});
+    read_key_values(
+        text, {number_key("from", grip.from, ranges::positive), number_key("to", grip.to, ranges::non_negative, false),
+               angle_key("target", grip.target, ranges::finite, false)});
   });
 }
 
 }  // namespace
 
-/// The lists of the command line, `from=2,to=0,target=30deg` and `0.25,0.5,1`: values within their ranges, or a complaint.
+/// The lists of the command line, `from=2,to=0,target=30deg` and `0.25,0.5,1`: values within their ranges, or a
+/// complaint.
 static const fuzz::Target key_values_target("key_values", [](const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::as_text(data, size);
   Grip grip;
@@ -35,8 +37,9 @@ static const fuzz::Target key_values_target("key_values", [](const std::uint8_t*
     std::string written = "target=" + format_number(grip.target) + "rad,from=" + format_number(grip.from);
     if (grip.to >= 0.0) written += ",to=" + format_number(grip.to);
     fuzz::require(!read(written, again), "the values that were read are refused");
-    fuzz::require(fuzz::same(again.from, grip.from) && fuzz::same(again.to, grip.to) && fuzz::same(again.target, grip.target),
-                  "the values that were read do not come back");
+    fuzz::require(
+        fuzz::same(again.from, grip.from) && fuzz::same(again.to, grip.to) && fuzz::same(again.target, grip.target),
+        "the values that were read do not come back");
   }
 
   std::vector<double> numbers;

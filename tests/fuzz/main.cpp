@@ -35,7 +35,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 }
 
 #ifndef LIMITCURVE_SEARCHES
-/// Runs the target on every file of the folder given, or on every line of the file given, and on no input at all. A finding aborts, after its name.
+/// Runs the target on every file of the folder given, or on every line of the file given, and on no input at all. A
+/// finding aborts, after its name.
 int main(int argc, char** argv) {
   LLVMFuzzerInitialize(&argc, &argv);
   if (argc != 2) {

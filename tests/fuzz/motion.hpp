@@ -16,8 +16,8 @@ struct Sample {
   double time_step = 0.0;
 };
 
-/// The samples that an input stands for: any numbers at all, or a finger that wanders over a surface: drifts, trembles, rests, lifts off,
-/// falls out of its load, jumps, turns past ±π, and now and then has any numbers.
+/// The samples that an input stands for: any numbers at all, or a finger that wanders over a surface: drifts, trembles,
+/// rests, lifts off, falls out of its load, jumps, turns past ±π, and now and then has any numbers.
 class Motion {
  public:
   explicit Motion(Bytes& bytes) : bytes_(bytes), kind_(bytes.take<std::uint8_t>()) {
@@ -45,7 +45,8 @@ class Motion {
     if (has(6)) contact.normal = (contact.normal + 0.01 * Eigen::Vector3d{fraction(), fraction(), 0.0}).normalized();
     if (kind < 192) contact.depth = depth_ * (1.0 + 0.2 * fraction());
     if (kind == 253) contact.depth = -depth_ * std::fabs(fraction());
-    if (kind == 252) contact.depth = std::ldexp(depth_, -5 * bytes_.take<std::uint8_t>());  // nearly out of its load, or wholly
+    if (kind == 252)
+      contact.depth = std::ldexp(depth_, -5 * bytes_.take<std::uint8_t>());  // nearly out of its load, or wholly
     if (kind == 251) contact.depth = std::ldexp(depth_, bytes_.take<std::uint8_t>() % 8);
     last_.time_step = kind % 16 == 1 ? scale(1.0, 41) : time_step_;
     return last_;

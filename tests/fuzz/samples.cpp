@@ -4,12 +4,15 @@
 
 using namespace limitcurve;
 
-/// Measured profiles, `samples:FILE` of a pressure law and of a radius law: a complaint that names the file, or an honest law.
+/// Measured profiles, `samples:FILE` of a pressure law and of a radius law: a complaint that names the file, or an
+/// honest law.
 static const fuzz::Target samples_target("samples", [](const std::uint8_t* data, std::size_t size) {
   static fuzz::TemporaryFile file;
   file.replace(fuzz::as_text(data, size));
   const std::string argument = "samples:" + file.path();
-  const auto names_file = [&](const std::string& complaint) { return complaint.find(file.path()) != std::string::npos; };
+  const auto names_file = [&](const std::string& complaint) {
+    return complaint.find(file.path()) != std::string::npos;
+  };
 
   Law law;
   const auto refused = fuzz::complaint_of([&] { law = cli::read_law(argument); });

@@ -34,7 +34,8 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   const auto fails = [&](std::string_view what) {
     if (result.fault.empty()) result.fault = what;
   };
-  const double sum = output.proxy.sum() + output.force.sum() + output.angle + output.depth + output.load + output.moment + output.slip_work;
+  const double sum = output.proxy.sum() + output.force.sum() + output.angle + output.depth + output.load +
+                     output.moment + output.slip_work;
   if (!(sum - sum == 0.0)) fails("an output is not finite");
   if (!output.converged) return result;
   if (!(output.slip_work >= 0.0)) fails("negative slip work");
@@ -45,7 +46,8 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
       fails("invalid input adds friction");
     return result;
   }
-  if ((output.cor >= 0.0) != (output.state == ContactState::slip)) fails("a centre of rotation without slip, or the reverse");
+  if ((output.cor >= 0.0) != (output.state == ContactState::slip))
+    fails("a centre of rotation without slip, or the reverse");
   if (output.state == ContactState::free) {
     if (!output.force.isZero(0.0) || output.moment != 0.0 || output.load != 0.0) fails("friction in free space");
     return result;
@@ -57,13 +59,14 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
       (output.proxy != last_proxy || (limits.has_torsion && output.angle != last.output.angle)))
     fails("a proxy that sticks moves");
   if (output.state == ContactState::slip && rested && sample.normal == last.sample.normal && !dampers) {
-    // The wrench on the finger times the displacement of the proxy along the surface, computed here; up to the rounding of the proxy's
-    // position.
+    // The wrench on the finger times the displacement of the proxy along the surface, computed here; up to the rounding
+    // of the proxy's position.
     const Vector3d way = last_proxy - output.proxy;
     const Vector3d along = way - sample.normal * sample.normal.dot(way);
     const double work = output.force.dot(along) + output.moment * (last.output.angle - output.angle);
-    const double rounding = output.force.norm() * (output.proxy.norm() + last_proxy.norm()) +
-                            std::fabs(output.moment) * (std::fabs(output.angle) + std::fabs(last.output.angle) + std::fabs(sample.angle));
+    const double rounding =
+        output.force.norm() * (output.proxy.norm() + last_proxy.norm()) +
+        std::fabs(output.moment) * (std::fabs(output.angle) + std::fabs(last.output.angle) + std::fabs(sample.angle));
     if (!(work >= -4.0 * std::numeric_limits<double>::epsilon() * rounding - 1e-300)) fails("a slip that gains energy");
   }
   if (!finger.curve()) return result;
@@ -75,7 +78,8 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   const godobject::FrictionLimit<double>& of_moment =
       slips && (is_box ? memory.moment_slides : memory.force_slides) ? limits.sliding : limits.sticking;
   const double moment_unit = of_moment.force * of_moment.radius;
-  // Such a small limit counts as no friction: a trial above 1e60 times its limit is treated as that, and no trial here is above 1e21.
+  // Such a small limit counts as no friction: a trial above 1e60 times its limit is treated as that, and no trial here
+  // is above 1e21.
   constexpr double least = 1e-38;
   const double force = output.force.norm();
   const double moment = std::fabs(output.moment);

@@ -10,13 +10,13 @@
 namespace limitcurve::fuzz {
 
 inline bool same(const godobject::FingerOutput& one, const godobject::FingerOutput& other) {
-  return one.state == other.state && one.proxy == other.proxy && one.force == other.force && same(one.angle, other.angle) &&
-         same(one.depth, other.depth) && same(one.load, other.load) && same(one.moment, other.moment) && same(one.cor, other.cor) &&
-         same(one.slip_work, other.slip_work);
+  return one.state == other.state && one.proxy == other.proxy && one.force == other.force &&
+         same(one.angle, other.angle) && same(one.depth, other.depth) && same(one.load, other.load) &&
+         same(one.moment, other.moment) && same(one.cor, other.cor) && same(one.slip_work, other.slip_work);
 }
 
-/// Makes the finger that the input begins with, if its parameters are accepted, and the steps that the rest of it stands for:
-/// `see(finger, sample, check)` for each, until one fails.
+/// Makes the finger that the input begins with, if its parameters are accepted, and the steps that the rest of it
+/// stands for: `see(finger, sample, check)` for each, until one fails.
 template <class See>
 void run_steps(Bytes& bytes, See&& see) {
   const auto& choice = any_curve<double>(bytes);

@@ -41,7 +41,8 @@ void read(const std::string& file, std::size_t fingers, bool body_moves) {
 
     replay.step(reader.time(), reader.fingers(), reader.body());
     for (const godobject::SceneContact& contact : replay.contacts()) {
-      fuzz::require(contact.proxy.allFinite() && contact.force.allFinite(), "the replay of finite numbers is not finite");
+      fuzz::require(contact.proxy.allFinite() && contact.force.allFinite(),
+                    "the replay of finite numbers is not finite");
       for (const double value : {contact.angle, contact.depth, contact.load, contact.moment}) {
         fuzz::require(fuzz::is_finite(value), "the replay of finite numbers is not finite");
       }
@@ -55,8 +56,8 @@ void read(const std::string& file, std::size_t fingers, bool body_moves) {
 
 }  // namespace
 
-/// A trace of one or two fingers and a body (the first byte chooses), by twists or quaternions: finite poses and rotations of unit length, or a
-/// complaint that names the place; and the god-object replays it in finite numbers.
+/// A trace of one or two fingers and a body (the first byte chooses), by twists or quaternions: finite poses and
+/// rotations of unit length, or a complaint that names the place; and the god-object replays it in finite numbers.
 static const fuzz::Target trace_target("trace", [](const std::uint8_t* data, std::size_t size) {
   static fuzz::TemporaryFile file;
   fuzz::Bytes bytes(data, size);

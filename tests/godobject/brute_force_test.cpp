@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A finger by brute force: the paper's steps a–c with dampers, static and dynamic friction, radius laws and every projection, written out
-// in plain numbers. Roots by bisection, limit curves from eq. (17) itself. It shares nothing with the library's step.
+// A finger by brute force: the paper's steps a–c with dampers, static and dynamic friction, radius laws and every
+// projection, written out in plain numbers. Roots by bisection, limit curves from eq. (17) itself. It shares nothing
+// with the library's step.
 #include "tests/godobject/scene.hpp"
 #include "tests/repetitions.hpp"
 
@@ -98,7 +99,8 @@ struct Model {
     return std::hypot(f, m) / std::hypot(force, moment);
   }
   /// Force and moment that a trial wrench beyond the limit is projected to.
-  [[nodiscard]] std::pair<double, double> project(double force, double moment, const Limit& limit, double load, double ratio) const {
+  [[nodiscard]] std::pair<double, double> project(double force, double moment, const Limit& limit, double load,
+                                                  double ratio) const {
     const double f = force / limit.force;
     const double m = moment / (limit.force * limit.radius);
     std::pair<double, double> at;
@@ -153,7 +155,8 @@ class BruteFinger {
       return out;
     }
     const Vec finger = goal - depth * n;
-    if (touches_ && std::fabs(twist - last_twist_) > pi) turns_ -= 2.0 * pi * std::round((twist - last_twist_) / (2.0 * pi));
+    if (touches_ && std::fabs(twist - last_twist_) > pi)
+      turns_ -= 2.0 * pi * std::round((twist - last_twist_) / (2.0 * pi));
     if (!touches_) {
       turns_ = 0.0;
       slides_ = spins_ = false;
@@ -184,11 +187,12 @@ class BruteFinger {
       slides_ = out.slips && (!model_.box || force > 0.0);
       spins_ = out.slips && moment > 0.0;
     } else if (model_.box) {
-      kept_force = clamp(force, model_.limit(load, false).force, model_.limit(load, true).force, model_.rest_within(false), slides_, out);
+      kept_force = clamp(force, model_.limit(load, false).force, model_.limit(load, true).force,
+                         model_.rest_within(false), slides_, out);
       const Limit rest = model_.limit(load, false);
       const Limit slide = model_.limit(load, true);
-      kept_moment = clamp(moment, rest.force * rest.radius * model_.m0, slide.force * slide.radius * model_.m0, model_.rest_within(true),
-                          spins_, out);
+      kept_moment = clamp(moment, rest.force * rest.radius * model_.m0, slide.force * slide.radius * model_.m0,
+                          model_.rest_within(true), spins_, out);
     } else {
       const auto part = [&](bool slides) {
         const Limit limit = model_.limit(load, slides);
@@ -220,7 +224,8 @@ class BruteFinger {
       up = depth + rise;
       proxy_ = goal + left + rise * n;
     }
-    if (kept_moment < moment) angle_ = goal_angle + (out.moment + b_r * (angle_ - last_angle_)) / (with.twist_stiffness + b_r);
+    if (kept_moment < moment)
+      angle_ = goal_angle + (out.moment + b_r * (angle_ - last_angle_)) / (with.twist_stiffness + b_r);
     out.load = (with.stiffness + b) * up - b * dot(was, n);
     if (b > 0.0) out.load = std::max(out.load, 0.0);
     out.touches = touches_ = true;
@@ -317,8 +322,8 @@ RandomFinger random_finger(Random& random) {
   return {model, finger};
 }
 
-// 1500 random sets of parameters, on a tilted plane or a ball, pressed, dragged, twisted and lifted. A set ends where a decision is within
-// 1e-7 of the other one.
+// 1500 random sets of parameters, on a tilted plane or a ball, pressed, dragged, twisted and lifted. A set ends where a
+// decision is within 1e-7 of the other one.
 TEST(BruteForce, AFingerWrittenOutDoesTheSame) {
   Random random(1500);
   int slips = 0;
@@ -365,7 +370,9 @@ TEST(BruteForce, AFingerWrittenOutDoesTheSame) {
       const FingerOutput found = finger.update(Contact{eigen(goal), eigen(n), deep}, given, dt);
       const std::string where =
           "set " + std::to_string(set) + " step " + std::to_string(i) + " " + std::string(to_string(model.projection));
-      const ContactState state = !expected.touches ? ContactState::free : expected.slips ? ContactState::slip : ContactState::stick;
+      const ContactState state = !expected.touches ? ContactState::free
+                                 : expected.slips  ? ContactState::slip
+                                                   : ContactState::stick;
       ASSERT_EQ(to_string(found.state), to_string(state)) << where;
       const double force = 1e-8 * (1.0 + with.mu) * load;
       ASSERT_LE((found.force - eigen(expected.force)).norm(), force) << where;

@@ -34,14 +34,15 @@ TEST(SoftFinger, TakesLimitsNotQuotients) {
       {"at rest", 0.6, 0.005, 0.002, 0.0, 0.0, 0.0, 0.0},
   };
   for (const Case& test : cases) {
-    for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& name) {
-      SoftFinger finger(curve, parameters(test.mu, test.radius), projection);
-      finger.update(on_plane(0.0, 0.0, test.depth), 0.0);
-      const FingerOutput output = finger.update(on_plane(test.x, 0.0, test.depth), test.twist);
-      EXPECT_NEAR(output.force.norm(), test.force, 1e-12) << test.name << ' ' << name;
-      EXPECT_NEAR(std::fabs(output.moment), test.moment, 1e-14) << test.name << ' ' << name;
-      EXPECT_TRUE(output.proxy.allFinite() && std::isfinite(output.angle)) << test.name << ' ' << name;
-    });
+    for_each_curve_and_projection(
+        hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& name) {
+          SoftFinger finger(curve, parameters(test.mu, test.radius), projection);
+          finger.update(on_plane(0.0, 0.0, test.depth), 0.0);
+          const FingerOutput output = finger.update(on_plane(test.x, 0.0, test.depth), test.twist);
+          EXPECT_NEAR(output.force.norm(), test.force, 1e-12) << test.name << ' ' << name;
+          EXPECT_NEAR(std::fabs(output.moment), test.moment, 1e-14) << test.name << ' ' << name;
+          EXPECT_TRUE(output.proxy.allFinite() && std::isfinite(output.angle)) << test.name << ' ' << name;
+        });
   }
 }
 
@@ -91,7 +92,8 @@ TEST(SoftFinger, SlipWorkIsFiniteWhereTheDeflectionVanishes) {
   }
 }
 
-// Each kind of bad input is named, the next good sample has none; a pose is refused for its own reason, not for that of the contact.
+// Each kind of bad input is named, the next good sample has none; a pose is refused for its own reason, not for that of
+// the contact.
 TEST(SoftFinger, NamesTheReasonOfAFault) {
   auto finger = hertz_finger();
   const auto expect = [&](const FingerOutput& output, Fault fault) {
@@ -197,12 +199,13 @@ TEST(SoftFinger, BelievesAFingerThatIsBackFromAJump) {
   }
 }
 
-// A normal may be off its length by half a millionth, and the proxy off the tangent plane by what the normal turned: the limit holds
-// for what is felt, whichever way the length of the pull was found.
+// A normal may be off its length by half a millionth, and the proxy off the tangent plane by what the normal turned:
+// the limit holds for what is felt, whichever way the length of the pull was found.
 TEST(SoftFinger, StaysWithinTheCurveUnderNormalsOfNearlyUnitLength) {
   const double m0 = hertz()->moment_ratio();
   const Ellipse ellipse = Ellipse::through_intercepts(m0);
-  const FingerParameters with{.mu = 0.6, .radius_law = RadiusLaw::constant(0.005), .stiffness = 1000.0, .twist_stiffness = 0.036};
+  const FingerParameters with{
+      .mu = 0.6, .radius_law = RadiusLaw::constant(0.005), .stiffness = 1000.0, .twist_stiffness = 0.036};
   for (const double length : {1.0 - 4e-7, 1.0, 1.0 + 4e-7}) {
     for (const double tilt : {0.0, 1e-3, 0.1, 0.24, 0.26, 1.0}) {
       SoftFinger finger(ellipse, with, Projection::radial);
@@ -210,7 +213,8 @@ TEST(SoftFinger, StaysWithinTheCurveUnderNormalsOfNearlyUnitLength) {
       const Eigen::Vector3d normal = length * Eigen::Vector3d(std::sin(tilt), 0.0, std::cos(tilt));
       const FingerOutput output = finger.update({{0.01, 0.003, 0.0}, normal, 0.002}, 0.2);
       ASSERT_EQ(output.state, ContactState::slip);
-      EXPECT_NEAR(ellipse.gauge(unit_wrench(finger.state(), with.mu, 0.005)), 1.0, 4.0 * std::numeric_limits<double>::epsilon())
+      EXPECT_NEAR(ellipse.gauge(unit_wrench(finger.state(), with.mu, 0.005)), 1.0,
+                  4.0 * std::numeric_limits<double>::epsilon())
           << "length " << length << " tilt " << tilt;
     }
   }
@@ -238,7 +242,8 @@ TEST(FingerParameters, ABoxGoesWithTheClosestPointOnly) {
   const Box limits = box(1.0, 0.6);
   EXPECT_NO_THROW(SoftFinger(limits, parameters(), Projection::closest_point));
   for (const Projection projection : {Projection::radial, Projection::c_curve}) {
-    expect_mention(complaint([&] { SoftFinger(limits, parameters(), projection); }), "projection: a box goes with closest-point only");
+    expect_mention(complaint([&] { SoftFinger(limits, parameters(), projection); }),
+                   "projection: a box goes with closest-point only");
   }
 }
 

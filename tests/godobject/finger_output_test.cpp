@@ -50,8 +50,8 @@ TEST(SoftFinger, TellsTheLoadThatHolds) {
   }
 }
 
-// It is in the unit of the load that is reported: also on a ball, whose push is part of that, it sticks if and only if the load is at least
-// the one that holds.
+// It is in the unit of the load that is reported: also on a ball, whose push is part of that, it sticks if and only if
+// the load is at least the one that holds.
 TEST(SoftFinger, TellsTheLoadThatHoldsInTheUnitOfTheLoad) {
   Random random(5);
   int pushes = 0;
@@ -104,7 +104,8 @@ TEST(SoftFinger, TurnsAboutACentreWithoutASlidingForce) {
   }
 }
 
-// Without a limit of the moment, or of both, the proxy turns with the finger, about the centre that its slide and its turn tell.
+// Without a limit of the moment, or of both, the proxy turns with the finger, about the centre that its slide and its
+// turn tell.
 TEST(SoftFinger, TurnsAboutACentreWithoutAMomentToo) {
   for (const double mu : {0.7, 0.0}) {
     FingerParameters with = parameters();
@@ -130,8 +131,8 @@ TEST(SoftFinger, TurnsAboutACentreWithoutAMomentToo) {
   }
 }
 
-// A finger turns about a fixed point: that point is the centre of rotation of its slip, however far the springs give (0.3 to 1.5 mm under
-// 1.5 N).
+// A finger turns about a fixed point: that point is the centre of rotation of its slip, however far the springs give
+// (0.3 to 1.5 mm under 1.5 N).
 TEST(SoftFinger, TellsWhereTheCentreOfRotationIs) {
   EXPECT_TRUE(std::isnan(hertz_finger().centre_of_rotation().x()));
   const Eigen::Vector3d centre{0.02, 0.01, 0.0};
@@ -142,7 +143,8 @@ TEST(SoftFinger, TellsWhereTheCentreOfRotationIs) {
       auto finger = exact_hertz_finger(with);
       for (int i = 0; i <= 2000; ++i) {
         const double angle = 3e-3 * i * sense;
-        const Eigen::Vector3d at = centre + Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0.004, -0.0045, 0.0);
+        const Eigen::Vector3d at =
+            centre + Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0.004, -0.0045, 0.0);
         finger.update(on_plane(at.x(), at.y(), 1.5 / stiffness), angle, 1e-3);
       }
       ASSERT_EQ(finger.output().state, ContactState::slip);

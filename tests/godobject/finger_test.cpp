@@ -49,13 +49,15 @@ TEST(SoftFinger, PullsBackTowardsTheProxy) {
 }
 
 // In 360 directions of force and moment, sense included: it sticks 1e-12 inside the curve and slips 2e-12 outside,
-// for any projection, with a constant, a load-dependent and a measured radius; and both components pull back to the proxy.
+// for any projection, with a constant, a load-dependent and a measured radius; and both components pull back to the
+// proxy.
 TEST(SoftFinger, SlipBeginsOnTheCurve) {
   constexpr double inside = 1.0 - 1e-12;
   constexpr double outside = 1.0 + 2e-12;
   const std::array<LoadSample, 3> samples{{{0.5, 0.002}, {1.0, 0.0026}, {4.0, 0.0034}}};
   for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& name) {
-    for (const RadiusLaw& law : {RadiusLaw::constant(0.005), RadiusLaw::power(0.00207, 0.259), RadiusLaw::sampled(samples)}) {
+    for (const RadiusLaw& law :
+         {RadiusLaw::constant(0.005), RadiusLaw::power(0.00207, 0.259), RadiusLaw::sampled(samples)}) {
       FingerParameters with = parameters();
       with.radius_law = law;
       const double load = 2.0;
@@ -71,7 +73,8 @@ TEST(SoftFinger, SlipBeginsOnTheCurve) {
           const double rho = share * limit.moment * with.mu * load * law.radius(load) / with.twist_stiffness;
           // The direction of the trial deflection turns as well.
           const FingerOutput output =
-              finger.update(on_plane(r * std::cos(3.0 * angle), r * std::sin(3.0 * angle), 0.002), std::copysign(rho, std::sin(angle)));
+              finger.update(on_plane(r * std::cos(3.0 * angle), r * std::sin(3.0 * angle), 0.002),
+                            std::copysign(rho, std::sin(angle)));
           EXPECT_EQ(output.state, share < 1.0 ? ContactState::stick : ContactState::slip) << name << ' ' << i;
           EXPECT_LE(output.force.x() * std::cos(3.0 * angle), 0.0);
           EXPECT_LE(output.force.y() * std::sin(3.0 * angle), 0.0);
@@ -103,7 +106,8 @@ TEST(FingerCurve, OfAViewKeepsItsOwner) {
 /// Γ is what the parameter says, whatever the radius law, in any unit of the curve's force.
 TEST(SoftFinger, MomentCoefficientSetsTheLimit) {
   for (const FingerCurve& curve : {exact_curve(hertz()), FingerCurve(Ellipse(2.0, 0.6)), FingerCurve(box(0.5, 3.0))}) {
-    for (const RadiusLaw& law : {RadiusLaw::constant(0.001), RadiusLaw::hertz(0.008, 2e5), RadiusLaw::power(0.00207, 0.259)}) {
+    for (const RadiusLaw& law :
+         {RadiusLaw::constant(0.001), RadiusLaw::hertz(0.008, 2e5), RadiusLaw::power(0.00207, 0.259)}) {
       FingerParameters with = parameters();
       with.radius_law = law;
       with.mu_r = 0.00384;
@@ -196,7 +200,8 @@ TEST(SoftFinger, TenThousandTurnsLoseNoAngle) {
     auto finger = hertz_finger();
     for (int i = 0; i <= 100000; ++i) {
       const long double angle = 0.2L * std::numbers::pi_v<long double> * sense * i;
-      finger.update(on_plane(0.0, 0.0, 0.002), static_cast<double>(std::remainder(angle, 2.0L * std::numbers::pi_v<long double>)));
+      finger.update(on_plane(0.0, 0.0, 0.002),
+                    static_cast<double>(std::remainder(angle, 2.0L * std::numbers::pi_v<long double>)));
       ASSERT_NEAR(finger.state().sample.angle, static_cast<double>(angle), 2e-8) << i;
     }
     EXPECT_GT(-sense * finger.output().moment, 0.0);

@@ -9,13 +9,13 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-/// A disc that slides and spins on a horizontal plane under its own weight, slowed by nothing but dry friction that obeys a
-/// limit curve: the test that physics has an answer to. With the uniform law and the exact curve sliding and spinning
-/// end together, and just before the end v/(Rω) → 0.653 for any start (Farkas et al. 2003).
+/// A disc that slides and spins on a horizontal plane under its own weight, slowed by nothing but dry friction that
+/// obeys a limit curve: the test that physics has an answer to. With the uniform law and the exact curve sliding and
+/// spinning end together, and just before the end v/(Rω) → 0.653 for any start (Farkas et al. 2003).
 ///
-/// Implicit Euler of m dv/dt = −μmg f, I dω/dt = −μmg R m(f): the same friction as a finger's, with the momentum in place
-/// of the springs. The velocities that friction could take away in the step are the trial; what it does take lies on the
-/// curve, and the slip that is left is its normal. When the trial lies inside, the disc stops.
+/// Implicit Euler of m dv/dt = −μmg f, I dω/dt = −μmg R m(f): the same friction as a finger's, with the momentum in
+/// place of the springs. The velocities that friction could take away in the step are the trial; what it does take lies
+/// on the curve, and the slip that is left is its normal. When the trial lies inside, the disc stops.
 class FreeDisc {
  public:
   static constexpr double radius = 0.05;              ///< R [m], the contact radius too
@@ -33,7 +33,8 @@ class FreeDisc {
     const FrictionLimit<double> unit{1.0, 1.0};
     const FrictionLimits<double> limits{unit, unit, 1.0 / inertia};
     const FrictionTrial<double> trial{speed_ / change, spin_ / twist_change};
-    const FrictionResult<double> friction = apply_friction(curve_.view(), Projection::closest_point, limits, trial, memory_);
+    const FrictionResult<double> friction =
+        apply_friction(curve_.view(), Projection::closest_point, limits, trial, memory_);
     speed_ *= 1.0 - friction.force_fraction;
     spin_ *= 1.0 - friction.moment_fraction;
   }
@@ -60,8 +61,8 @@ double last_ratio(FreeDisc sliding) {
   return sliding.ratio();
 }
 
-// Farkas, Bartels, Unger, Wolf, Phys. Rev. Lett. 90:248302 (2003); Weidman, Malhotra, Phys. Rev. Lett. 95:264303 (2005):
-// just before it stops a uniform disc has v/(Rω) = 0.653001789205598, for any start.
+// Farkas, Bartels, Unger, Wolf, Phys. Rev. Lett. 90:248302 (2003); Weidman, Malhotra, Phys. Rev. Lett. 95:264303
+// (2005): just before it stops a uniform disc has v/(Rω) = 0.653001789205598, for any start.
 TEST(FreeDisc, StopsSlidingAndSpinningTogether) {
   const FingerCurve curve = exact_curve(uniform());
   EXPECT_NEAR(last_ratio({curve, 1.0, 10.0}), 0.653, 0.0005);

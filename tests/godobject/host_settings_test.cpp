@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the host's settings may not change: -ffast-math in a user's file, another rounding, subnormal numbers flushed to 0.
+// What the host's settings may not change: -ffast-math in a user's file, another rounding, subnormal numbers flushed to
+// 0.
 #include "tests/godobject/host_settings.hpp"
 #include "tests/godobject/host_settings_user.hpp"
 
@@ -39,8 +40,8 @@ void expect_same_bits(const FingerState& one, const FingerState& other) {
   ASSERT_EQ(one.contact.face, other.contact.face);
   ASSERT_EQ(one.faults.refused, other.faults.refused);
   ASSERT_EQ(one.friction.force_slides, other.friction.force_slides);
-  for (const auto member : {&FingerOutput::angle, &FingerOutput::depth, &FingerOutput::load, &FingerOutput::moment, &FingerOutput::cor,
-                            &FingerOutput::slip_work}) {
+  for (const auto member : {&FingerOutput::angle, &FingerOutput::depth, &FingerOutput::load, &FingerOutput::moment,
+                            &FingerOutput::cor, &FingerOutput::slip_work}) {
     ASSERT_EQ(bits(one.output.*member), bits(other.output.*member));
   }
   ASSERT_EQ(bits(one.limit_load), bits(other.limit_load));
@@ -48,8 +49,8 @@ void expect_same_bits(const FingerState& one, const FingerState& other) {
   ASSERT_EQ(bits(one.sample.unwrapped_by), bits(other.sample.unwrapped_by));
 }
 
-// The step lives in the library: a user's file gets the same to the last bit, whatever its own arithmetic, and samples that are NaN are
-// refused.
+// The step lives in the library: a user's file gets the same to the last bit, whatever its own arithmetic, and samples
+// that are NaN are refused.
 TEST(HostSettings, FastMathInAUsersFileChangesNothing) {
   int refused = 0;
   for_each_choice(31, [&](const Choice& choice, Random& random) {
@@ -71,7 +72,8 @@ TEST(HostSettings, FastMathInAUsersFileChangesNothing) {
     const auto [force, moment] = rub_with_fast_math(curve, choice.curve.projection, 3.0, 0.01);
     FrictionMemory<double> memory;
     const FrictionLimits<double> limits{{1.0, 0.005}, {1.0, 0.005}, 25000.0};
-    const FrictionResult<double> result = apply_friction(curve.view(), choice.curve.projection, limits, {3.0, 0.01}, memory);
+    const FrictionResult<double> result =
+        apply_friction(curve.view(), choice.curve.projection, limits, {3.0, 0.01}, memory);
     ASSERT_NEAR(force, result.force_fraction, 1e-9);
     ASSERT_NEAR(moment, result.moment_fraction, 1e-9);
   });
@@ -136,8 +138,10 @@ TEST(HostSettings, ATableLooksUpTheSameUnderAnyRounding) {
     for (std::size_t i = 0; i < twists.size(); ++i) {
       // A twist of nothing but subnormal numbers is none where those are flushed to 0.
       if (std::fmax(twists[i].slide, twists[i].spin) < 1e-300 && setting.name == "no subnormals") continue;
-      ASSERT_NEAR(nearest[i].force, other[i].force, 1e-9) << setting.name << ' ' << twists[i].slide << ' ' << twists[i].spin;
-      ASSERT_NEAR(nearest[i].moment, other[i].moment, 1e-9) << setting.name << ' ' << twists[i].slide << ' ' << twists[i].spin;
+      ASSERT_NEAR(nearest[i].force, other[i].force, 1e-9)
+          << setting.name << ' ' << twists[i].slide << ' ' << twists[i].spin;
+      ASSERT_NEAR(nearest[i].moment, other[i].moment, 1e-9)
+          << setting.name << ' ' << twists[i].slide << ' ' << twists[i].spin;
     }
   }
 }

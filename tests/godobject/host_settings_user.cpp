@@ -8,7 +8,8 @@
 
 namespace limitcurve::godobject::test {
 
-UsersRun use_with_fast_math(const SoftFinger& finger, const AnySurface& surface, const std::vector<DevicePose>& path, double time_step) {
+UsersRun use_with_fast_math(const SoftFinger& finger, const AnySurface& surface, const std::vector<DevicePose>& path,
+                            double time_step) {
   return use(finger, surface, path, time_step);
 }
 

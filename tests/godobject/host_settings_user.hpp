@@ -6,7 +6,8 @@
 #include <limits>
 #include <vector>
 
-/// What a user's file does with a finger. Two files hold it, one of them compiled with -ffast-math; static, so that each has its own.
+/// What a user's file does with a finger. Two files hold it, one of them compiled with -ffast-math; static, so that
+/// each has its own.
 namespace limitcurve::godobject::test {
 
 /// A finger's states and outputs along a path, of which every tenth sample is NaN.
@@ -16,7 +17,8 @@ struct UsersRun {
   std::vector<double> margins;
 };
 
-static inline UsersRun use(SoftFinger finger, const AnySurface& surface, const std::vector<DevicePose>& path, double time_step) {
+static inline UsersRun use(SoftFinger finger, const AnySurface& surface, const std::vector<DevicePose>& path,
+                           double time_step) {
   UsersRun run;
   for (std::size_t i = 0; i < path.size(); ++i) {
     DevicePose device = path[i];
@@ -29,13 +31,14 @@ static inline UsersRun use(SoftFinger finger, const AnySurface& surface, const s
   return run;
 }
 
-UsersRun use_with_fast_math(const SoftFinger& finger, const AnySurface& surface, const std::vector<DevicePose>& path, double time_step);
+UsersRun use_with_fast_math(const SoftFinger& finger, const AnySurface& surface, const std::vector<DevicePose>& path,
+                            double time_step);
 /// Friction by itself in that file: the ratios of force and moment that are kept.
 std::array<double, 2> rub_with_fast_math(const FingerCurve& curve, Projection projection, double force, double moment);
 
 /// The functions that a file's linker may share with others.
-using Rub = FrictionResult<double> (*)(const CurveView<double>&, Projection, const FrictionLimits<double>&, const FrictionTrial<double>&,
-                                       FrictionMemory<double>&) noexcept;
+using Rub = FrictionResult<double> (*)(const CurveView<double>&, Projection, const FrictionLimits<double>&,
+                                       const FrictionTrial<double>&, FrictionMemory<double>&) noexcept;
 using OnRay = CurvePoint<double> (*)(const CurveView<double>&, double, double, double, double&) noexcept;
 Rub rub_of_fast_math();
 OnRay on_ray_of_fast_math();

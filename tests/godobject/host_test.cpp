@@ -17,9 +17,9 @@ using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
 std::array<std::uint64_t, 15> bits_of(const FingerOutput& out) {
-  return std::bit_cast<std::array<std::uint64_t, 15>>(
-      std::array{out.proxy.x(), out.proxy.y(), out.proxy.z(), out.normal.x(), out.normal.y(), out.normal.z(), out.force.x(), out.force.y(),
-                 out.force.z(), out.angle, out.depth, out.load, out.moment, out.cor, out.slip_work});
+  return std::bit_cast<std::array<std::uint64_t, 15>>(std::array{
+      out.proxy.x(), out.proxy.y(), out.proxy.z(), out.normal.x(), out.normal.y(), out.normal.z(), out.force.x(),
+      out.force.y(), out.force.z(), out.angle, out.depth, out.load, out.moment, out.cor, out.slip_work});
 }
 
 void expect_same(const FingerOutput& one, const FingerOutput& other) {
@@ -39,7 +39,8 @@ TEST(Host, AContactWithAnOrientationIsThePoseOnTheSurface) {
     const double angle = 2e-3 * i + 0.3 * std::sin(0.05 * i);
     const Vector3d outward(std::sin(angle), 0.3, std::cos(angle));
     DevicePose device{outward.normalized() * (0.029 + 0.0015 * std::sin(0.01 * i)),
-                      Orientation(AngleAxisd(0.01 * i, Vector3d(0.6, 0.0, 0.8)) * AngleAxisd(0.2 * std::sin(0.1 * i), Vector3d::UnitY()))};
+                      Orientation(AngleAxisd(0.01 * i, Vector3d(0.6, 0.0, 0.8)) *
+                                  AngleAxisd(0.2 * std::sin(0.1 * i), Vector3d::UnitY()))};
     if (i % 100 == 99) device.orientation.w() = i % 200 == 99 ? nan : 3.0;
     const Contact contact = ball.contact(device.position, of_contact.state().contact);
     expect_same(of_pose.preview(ball, device, 1e-3), of_contact.preview(contact, device.orientation, 1e-3));
@@ -51,19 +52,23 @@ TEST(Host, AContactWithAnOrientationIsThePoseOnTheSurface) {
   for (const int times : seen) EXPECT_GE(times, 20);
 }
 
-/// The wrist's turn about the normal is the spin: 0.3 rad about z and k_r give the moment, whatever it did about x before.
+/// The wrist's turn about the normal is the spin: 0.3 rad about z and k_r give the moment, whatever it did about x
+/// before.
 TEST(Host, AnOrientationTurnsTheFingerAboutTheNormalAlone) {
   auto finger = hertz_finger();
-  for (int i = 0; i <= 100; ++i) finger.update(on_plane(0, 0, 0.002), Orientation(AngleAxisd(0.005 * i, Vector3d::UnitX())));
+  for (int i = 0; i <= 100; ++i)
+    finger.update(on_plane(0, 0, 0.002), Orientation(AngleAxisd(0.005 * i, Vector3d::UnitX())));
   EXPECT_NEAR(finger.output().moment, 0.0, 1e-15);
   const Orientation tilted(AngleAxisd(0.5, Vector3d::UnitX()));
-  const FingerOutput turned = finger.update(on_plane(0, 0, 0.002), Orientation(AngleAxisd(0.01, Vector3d::UnitZ()) * tilted));
+  const FingerOutput turned =
+      finger.update(on_plane(0, 0, 0.002), Orientation(AngleAxisd(0.01, Vector3d::UnitZ()) * tilted));
   EXPECT_NEAR(turned.moment, -0.01 * finger.parameters().twist_stiffness, 1e-15);
   EXPECT_EQ(turned.moment_vector(), Vector3d(0, 0, turned.moment));
   EXPECT_EQ(turned.whole_force(), turned.force + Vector3d(0, 0, turned.load));
 }
 
-/// A finger slides and turns on a ball that tumbles through the world. Pose, position and contact in the world are made by matrices.
+/// A finger slides and turns on a ball that tumbles through the world. Pose, position and contact in the world are made
+/// by matrices.
 TEST(Host, ABodyThatMovesIsFeltAsTheSameMotionSeenFromIt) {
   auto seen_from_body = exact_hertz_finger();
   auto in_world = exact_hertz_finger();
@@ -75,7 +80,8 @@ TEST(Host, ABodyThatMovesIsFeltAsTheSameMotionSeenFromIt) {
     const Vector3d position = Vector3d(std::sin(angle), 0.1 * std::cos(0.013 * i), std::cos(angle)) * 0.0285;
     const Orientation orientation(AngleAxisd(0.3 * std::sin(0.017 * i), Vector3d(0.0, 0.6, 0.8)));
     const Contact contact = ball.contact(position, {});
-    const Eigen::Matrix3d turn = (AngleAxisd(0.004 * i, Vector3d(0.48, 0.6, 0.64)) * AngleAxisd(0.7, Vector3d::UnitX())).matrix();
+    const Eigen::Matrix3d turn =
+        (AngleAxisd(0.004 * i, Vector3d(0.48, 0.6, 0.64)) * AngleAxisd(0.7, Vector3d::UnitX())).matrix();
     const BodyPose body{Vector3d(0.2 * std::sin(0.003 * i), -1e-4 * i, 0.1), Orientation(turn)};
     const auto to_world_by_matrix = [&](const Vector3d& point) { return Vector3d(turn * point + body.position); };
     const Contact found{to_world_by_matrix(contact.point), turn * contact.normal, contact.depth};
@@ -99,7 +105,8 @@ TEST(Host, ABodyThatMovesBeneathAStillFingerDragsIt) {
   BodyPose body;
   for (int i = 0; i < 100; ++i) {
     body.position.x() = 1e-4 * i;
-    const FingerOutput output = to_world(body, finger.update(to_body(body, on_plane(0, 0, 0.002)), to_body(body, Orientation::Identity())));
+    const FingerOutput output =
+        to_world(body, finger.update(to_body(body, on_plane(0, 0, 0.002)), to_body(body, Orientation::Identity())));
     if (i == 99) {
       EXPECT_NEAR(output.force.x(), 0.6 * 2.0, 1e-12);
     }
@@ -134,7 +141,8 @@ TEST(Host, OtherParametersLeaveProxyAndOutput) {
     EXPECT_NEAR(next.load, 3.0 * before.output.load, 1e-14);
     EXPECT_NEAR(next.force.x(), 3.0 * before.output.force.x(), 1e-14);
     EXPECT_NEAR(next.moment, 3.0 * before.output.moment, 1e-16);
-    // Less friction: the margin is gone at once, and the next step slips to the smaller limit. A pure slide, so that it is μP.
+    // Less friction: the margin is gone at once, and the next step slips to the smaller limit. A pure slide, so that it
+    // is μP.
     finger.reset();
     ASSERT_TRUE(finger.change(parameters()));
     finger.update(on_plane(0, 0, 0.002), 0.0);
@@ -171,7 +179,8 @@ TEST(Host, BadParametersChangeNothing) {
   refuses([](FingerParameters& bad) { bad.mu = 0.0, bad.mu_r = 1e-3; }, "mu_r");
   refuses([](FingerParameters& bad) { bad.mu_r = 1e-3, bad.mu_r_dynamic = 2e-3; }, "mu_r_dynamic");
   // So little friction that slip has none at all: the moment has no radius.
-  refuses([](FingerParameters& bad) { bad.mu = 1e-310, bad.mu_dynamic = 0.0, bad.mu_r = bad.mu_r_dynamic = 1e-3; }, "mu_r_dynamic");
+  refuses([](FingerParameters& bad) { bad.mu = 1e-310, bad.mu_dynamic = 0.0, bad.mu_r = bad.mu_r_dynamic = 1e-3; },
+          "mu_r_dynamic");
   FingerParameters good = parameters(0.3);
   good.mu_r = 1e-3;
   EXPECT_FALSE(finger.refusal(good));

@@ -37,9 +37,12 @@ End projected(const FingerCurve& curve, Projection projection, const Outside& ou
   if (curve.is_box()) {
     limits = {{1.0, 1.0}, {1.0, 1.0}, outside.trial.compliance_ratio};
     FrictionMemory<double> memory;
-    const auto kept = apply_friction(curve.view(), projection, limits, {outside.trial.force, outside.trial.moment}, memory);
+    const auto kept =
+        apply_friction(curve.view(), projection, limits, {outside.trial.force, outside.trial.moment}, memory);
     EXPECT_TRUE(kept.slips) << outside.trial.force << ' ' << outside.trial.moment;
-    return {{outside.trial.force * kept.force_fraction, outside.trial.moment * kept.moment_fraction}, SlipTwist::about_cor(kept.cor), 0.0};
+    return {{outside.trial.force * kept.force_fraction, outside.trial.moment * kept.moment_fraction},
+            SlipTwist::about_cor(kept.cor),
+            0.0};
   }
   const Projected<double> result = project(curve.view(), projection, limits, outside.trial, outside.last);
   EXPECT_TRUE(result.outside) << outside.trial.force << ' ' << outside.trial.moment;
@@ -60,14 +63,16 @@ std::vector<UnitWrench> sample(const FingerCurve& curve, int count) {
   return points;
 }
 
-/// Trials outside a curve, by more than the onset of slip: near it and far away, in all directions and on both axes, over six decades of
-/// stiffness.
+/// Trials outside a curve, by more than the onset of slip: near it and far away, in all directions and on both axes,
+/// over six decades of stiffness.
 template <class Body>
 void for_random_trials(const FingerCurve& curve, int count, Body&& body) {
   Random random(20240607);
   const double moment_ratio = curve.moment_ratio();
   for (int i = 0; i < count; ++i) {
-    const double angle = i % 10 == 0 ? 0.0 : i % 10 == 1 ? 0.5 * std::numbers::pi : random.uniform(0.0, 0.5 * std::numbers::pi);
+    const double angle = i % 10 == 0   ? 0.0
+                         : i % 10 == 1 ? 0.5 * std::numbers::pi
+                                       : random.uniform(0.0, 0.5 * std::numbers::pi);
     const double length = i % 3 == 0 ? 1.0 + random.logarithmic(1e-9, 1.0) : random.logarithmic(1.0, 1e6);
     Outside outside;
     outside.trial.force = i % 10 == 1 ? 0.0 : length * std::cos(angle);
@@ -88,7 +93,8 @@ TEST(Projection, EndsOnTheCurve) {
   for (const Law& law : laws) {
     for_each_curve_and_projection(law, [&](const FingerCurve& curve, Projection projection, const std::string& name) {
       for_random_trials(curve, 400, [&](const Outside& outside) {
-        EXPECT_NEAR(curve.gauge(projected(curve, projection, outside).wrench), 1.0, 2e-14) << law->name() << ' ' << name;
+        EXPECT_NEAR(curve.gauge(projected(curve, projection, outside).wrench), 1.0, 2e-14)
+            << law->name() << ' ' << name;
       });
     });
   }
@@ -110,7 +116,8 @@ TEST(ClosestPoint, NoPointOfTheCurveIsCloser) {
           // What is over is a difference of numbers near 1.
           const double rounding = 1e-15 * (1.0 + trial.compliance_ratio);
           ASSERT_LE(scalar, 1e-11 * (over_force + over_moment) + rounding)
-              << law->name() << ' ' << name << " trial " << trial.force << ' ' << trial.moment << " chi " << trial.compliance_ratio;
+              << law->name() << ' ' << name << " trial " << trial.force << ' ' << trial.moment << " chi "
+              << trial.compliance_ratio;
         }
       });
     });
@@ -155,7 +162,8 @@ TEST(Radial, KeepsTheDirection) {
       for_random_trials(curve, 200, [&](const Outside& outside) {
         const UnitTrial<double>& trial = outside.trial;
         const UnitWrench at = projected(curve, Projection::radial, outside).wrench;
-        EXPECT_NEAR(at.force * trial.moment, at.moment * trial.force, 1e-14 * (trial.force + trial.moment)) << law->name() << ' ' << name;
+        EXPECT_NEAR(at.force * trial.moment, at.moment * trial.force, 1e-14 * (trial.force + trial.moment))
+            << law->name() << ' ' << name;
       });
     });
   }
@@ -166,7 +174,8 @@ TEST(CCurve, IsRadialWhenTheRadiusIsConstant) {
     if (curve.is_box()) return;
     for_random_trials(curve, 200, [&](Outside outside) {
       outside.radius_law = nullptr;
-      EXPECT_EQ(projected(curve, Projection::c_curve, outside).wrench, projected(curve, Projection::radial, outside).wrench);
+      EXPECT_EQ(projected(curve, Projection::c_curve, outside).wrench,
+                projected(curve, Projection::radial, outside).wrench);
     });
   });
 }
@@ -174,7 +183,8 @@ TEST(CCurve, IsRadialWhenTheRadiusIsConstant) {
 // Paper, Fig. 5: the load whose p-curve passes through the trial (here by bisection) has the same
 // centre of rotation; for measured radii, a power law of another exponent from sample to sample.
 TEST(CCurve, KeepsTheCentreOfRotation) {
-  const std::array<LoadSample, 6> samples{{{0.2, 0.0015}, {0.5, 0.0021}, {1.0, 0.0022}, {2.0, 0.0035}, {5.0, 0.0031}, {40.0, 0.0077}}};
+  const std::array<LoadSample, 6> samples{
+      {{0.2, 0.0015}, {0.5, 0.0021}, {1.0, 0.0022}, {2.0, 0.0035}, {5.0, 0.0031}, {40.0, 0.0077}}};
   const RadiusLaw radius = RadiusLaw::sampled(samples);
   Random random(77);
   for (const Law& law : laws) {
@@ -210,19 +220,22 @@ TEST(CCurve, KeepsTheCentreOfRotation) {
   }
 }
 
-// Along an arc of trials the result has no jump, however fast the radius grows with the load: the largest change on the arc, halved forty
-// times, vanishes. Where the same c would add force, as for pressures heaped at the rim, the force stays, and the end is on the curve.
+// Along an arc of trials the result has no jump, however fast the radius grows with the load: the largest change on the
+// arc, halved forty times, vanishes. Where the same c would add force, as for pressures heaped at the rim, the force
+// stays, and the end is on the curve.
 TEST(CCurve, IsContinuousInTheTrial) {
   int kept = 0;
   for (const char* const name : {"hertz", "uniform", "flat-punch", "power:n=-0.7"}) {
     const ExactCurve curve(parse_law(name));
     const FingerCurve table = exact_curve(parse_law(name));
     for (const double gamma : {-0.3, 1.0 / 3.0, 0.7, 0.9, 1.0}) {
-      const RadiusLaw radius = RadiusLaw::sampled(std::array<LoadSample, 2>{{{1.0, 0.005}, {2.0, 0.005 * std::exp2(gamma)}}});
+      const RadiusLaw radius =
+          RadiusLaw::sampled(std::array<LoadSample, 2>{{{1.0, 0.005}, {2.0, 0.005 * std::exp2(gamma)}}});
       for (const double length : {1.2, 2.0, 5.0, 100.0}) {
         const auto at = [&](double angle) {
           Outside outside;
-          outside.trial = {length * std::sin(angle), length * table.moment_ratio() * std::cos(angle), 1.0, slip_onset<double>};
+          outside.trial = {length * std::sin(angle), length * table.moment_ratio() * std::cos(angle), 1.0,
+                           slip_onset<double>};
           outside.radius_law = &radius;
           const UnitWrench end = projected(table, Projection::c_curve, outside).wrench;
           if (end.force > outside.trial.force * (1.0 - 1e-13) && angle > 0.0) {
@@ -237,7 +250,9 @@ TEST(CCurve, IsContinuousInTheTrial) {
           double high = 0.5 * std::numbers::pi * (i + 1) / parts;
           UnitWrench from = at(low);
           UnitWrench to = at(high);
-          const auto change = [](const UnitWrench& a, const UnitWrench& b) { return std::hypot(a.force - b.force, a.moment - b.moment); };
+          const auto change = [](const UnitWrench& a, const UnitWrench& b) {
+            return std::hypot(a.force - b.force, a.moment - b.moment);
+          };
           if (change(from, to) < 0.02) continue;
           for (int halving = 0; halving < 40; ++halving) {
             const double middle = 0.5 * (low + high);
@@ -260,7 +275,8 @@ TEST(Projection, NeverCreatesEnergy) {
       for_random_trials(curve, 400, [&](const Outside& outside) {
         const UnitTrial<double>& trial = outside.trial;
         const auto [at, slip, parameter] = projected(curve, projection, outside);
-        const double work = at.force * (trial.force - at.force) + at.moment * trial.compliance_ratio * (trial.moment - at.moment);
+        const double work =
+            at.force * (trial.force - at.force) + at.moment * trial.compliance_ratio * (trial.moment - at.moment);
         EXPECT_GE(work, 0.0) << law->name() << ' ' << name;
         EXPECT_GE(slip.slide, 0.0);
         EXPECT_GE(slip.spin, 0.0);

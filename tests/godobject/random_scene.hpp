@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-/// Seeded random scenes: every kind of surface, sets of parameters, and devices that press, slide, twist, rest and lift off.
+/// Seeded random scenes: every kind of surface, sets of parameters, and devices that press, slide, twist, rest and lift
+/// off.
 namespace limitcurve::godobject::test {
 
 struct NamedSurface {
@@ -46,7 +47,8 @@ inline std::vector<NamedParameters> all_parameters() {
                  finger.damping = 2.0;
                  finger.twist_damping = 2e-5;
                }),
-          with("radius grows with the load", [](FingerParameters& finger) { finger.radius_law = RadiusLaw::power(0.004, 0.3); }),
+          with("radius grows with the load",
+               [](FingerParameters& finger) { finger.radius_law = RadiusLaw::power(0.004, 0.3); }),
           with("mu_dynamic below mu", [](FingerParameters& finger) { finger.mu_dynamic = 0.3; }),
           with("mu_dynamic 0", [](FingerParameters& finger) { finger.mu_dynamic = 0.0; }),
           with("mu 0", [](FingerParameters& finger) { finger.mu = 0.0; }),
@@ -73,7 +75,9 @@ inline std::vector<NamedParameters> all_parameters() {
 struct CurveChoice {
   CurveKind kind;
   Projection projection;
-  [[nodiscard]] std::string name() const { return std::string(to_string(kind)) + ' ' + std::string(to_string(projection)); }
+  [[nodiscard]] std::string name() const {
+    return std::string(to_string(kind)) + ' ' + std::string(to_string(projection));
+  }
 };
 
 inline std::vector<CurveChoice> all_curves() {
@@ -92,8 +96,9 @@ struct Choice {
   NamedParameters parameters;
 };
 
-/// Calls `body(choice, random)` for every curve on every surface, with the sets of parameters in turn. As often as the environment's
-/// LIMITCURVE_ROUNDS says, each time with other random numbers and the next set of parameters: ten rounds are every one with every other.
+/// Calls `body(choice, random)` for every curve on every surface, with the sets of parameters in turn. As often as the
+/// environment's LIMITCURVE_ROUNDS says, each time with other random numbers and the next set of parameters: ten rounds
+/// are every one with every other.
 template <class Body>
 void for_each_choice(std::uint64_t seed, Body&& body) {
   const char* const given = std::getenv("LIMITCURVE_ROUNDS");
@@ -106,7 +111,8 @@ void for_each_choice(std::uint64_t seed, Body&& body) {
     for (const CurveChoice& curve : all_curves()) {
       for (const NamedSurface& surface : surfaces) {
         const Choice choice{surface, curve, parameter_sets[next++ % parameter_sets.size()]};
-        SCOPED_TRACE(choice.surface.name + ", " + curve.name() + ", " + choice.parameters.name + ", round " + std::to_string(round));
+        SCOPED_TRACE(choice.surface.name + ", " + curve.name() + ", " + choice.parameters.name + ", round " +
+                     std::to_string(round));
         body(choice, random);
         if (testing::Test::HasFatalFailure()) return;
       }
@@ -123,14 +129,18 @@ inline Eigen::Vector3d random_direction(Random& random) {
 }
 
 inline Eigen::Quaterniond random_orientation(Random& random) {
-  return Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-std::numbers::pi, std::numbers::pi), random_direction(random)));
+  return Eigen::Quaterniond(
+      Eigen::AngleAxisd(random.uniform(-std::numbers::pi, std::numbers::pi), random_direction(random)));
 }
 
 /// A smooth random function of time: an offset and a sine.
 class Wave {
  public:
   Wave(Random& random, double offset, double amplitude, double low, double high)
-      : offset_(offset), amplitude_(amplitude), speed_(random.logarithmic(low, high)), phase_(random.uniform(0.0, 6.0)) {}
+      : offset_(offset),
+        amplitude_(amplitude),
+        speed_(random.logarithmic(low, high)),
+        phase_(random.uniform(0.0, 6.0)) {}
   [[nodiscard]] double at(double time) const { return offset_ + amplitude_ * std::sin(speed_ * time + phase_); }
 
  private:
@@ -140,12 +150,13 @@ class Wave {
   double phase_;
 };
 
-/// A device that presses about 1 mm into a surface near a random point, slides a few mm to and fro, turns and twists, rests at times and
-/// lifts off at times.
+/// A device that presses about 1 mm into a surface near a random point, slides a few mm to and fro, turns and twists,
+/// rests at times and lifts off at times.
 class RandomDevice {
  public:
   RandomDevice(const AnySurface& surface, Random& random)
-      : along_{Wave(random, 0.0, random.uniform(0.0, 0.005), 3.0, 60.0), Wave(random, 0.0, random.uniform(0.0, 0.005), 3.0, 60.0)},
+      : along_{Wave(random, 0.0, random.uniform(0.0, 0.005), 3.0, 60.0),
+               Wave(random, 0.0, random.uniform(0.0, 0.005), 3.0, 60.0)},
         depth_(random, random.uniform(0.0005, 0.002), random.uniform(0.0, 0.0015), 3.0, 40.0),
         twist_(random, random.uniform(-3.0, 3.0), random.uniform(0.0, 1.0), 3.0, 60.0),
         tilt_(random, 0.0, random.uniform(0.0, 0.7), 3.0, 60.0),
@@ -162,8 +173,8 @@ class RandomDevice {
 
   [[nodiscard]] DevicePose at(double time) const {
     if (time > rest_ && time < rest_ + 0.02) time = rest_;  // repeated samples
-    const Eigen::Vector3d position =
-        place_ + tangent_ * along_[0].at(time) + normal_.cross(tangent_) * along_[1].at(time) - normal_ * depth_.at(time);
+    const Eigen::Vector3d position = place_ + tangent_ * along_[0].at(time) +
+                                     normal_.cross(tangent_) * along_[1].at(time) - normal_ * depth_.at(time);
     return {position, Eigen::Quaterniond(Eigen::AngleAxisd(tilt_.at(time), axis_)) * orientation_, twist_.at(time)};
   }
   [[nodiscard]] const Eigen::Vector3d& normal() const { return normal_; }
@@ -181,17 +192,19 @@ class RandomDevice {
   Eigen::Vector3d tangent_;
 };
 
-/// How far results may be apart when positions are off by `length` [m] and angles by `angle` [rad], each in every one of `steps` samples. A
-/// slip is the way to the nearest point of a convex set in the metric of the springs' energy, which brings no two trials farther apart; so errors
-/// add, in √(2E) = |(√k_l x, √k_r α)|, and the limits' own error, of the load, adds to each. `margin` covers what that leaves out: the
-/// two other projections, and a contact's several roundings.
+/// How far results may be apart when positions are off by `length` [m] and angles by `angle` [rad], each in every one
+/// of `steps` samples. A slip is the way to the nearest point of a convex set in the metric of the springs' energy,
+/// which brings no two trials farther apart; so errors add, in √(2E) = |(√k_l x, √k_r α)|, and the limits' own error,
+/// of the load, adds to each. `margin` covers what that leaves out: the two other projections, and a contact's several
+/// roundings.
 struct Tolerance {
   double length;
   double angle;
   double force;
   double moment;
 
-  static Tolerance of(const FingerParameters& finger, double time_step, double length, double angle, int steps, double margin = 10.0) {
+  static Tolerance of(const FingerParameters& finger, double time_step, double length, double angle, int steps,
+                      double margin = 10.0) {
     const double per_second = time_step > 0.0 ? 1.0 / time_step : 0.0;
     const double stiff = std::sqrt(finger.stiffness + finger.damping * per_second);
     const double twist_stiff = std::sqrt(finger.twist_stiffness + finger.twist_damping * per_second);

@@ -26,7 +26,8 @@ inline Contact on_plane(double x, double y, double depth) {
   return {{x, y, 0.0}, Eigen::Vector3d::UnitZ(), depth};
 }
 
-inline FingerParameters parameters(double mu = 0.6, double radius = 0.005, double stiffness = 1000.0, double twist_stiffness = 0.04) {
+inline FingerParameters parameters(double mu = 0.6, double radius = 0.005, double stiffness = 1000.0,
+                                   double twist_stiffness = 0.04) {
   FingerParameters result;
   result.mu = mu;
   result.radius_law = RadiusLaw::constant(radius);

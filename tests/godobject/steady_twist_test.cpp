@@ -14,8 +14,9 @@ constexpr double radius = 0.005;
 constexpr double stiffness = 1000.0;
 constexpr double depth = 0.002;
 constexpr double load = stiffness * depth;
-/// Unit wrench that a finger settles at when it slides straight on and turns at a constant v/ω = c = sa for long: ninety
-/// times the give of the softer spring, which the length of the transient is counted in (docs/theory.md, "The step").
+/// Unit wrench that a finger settles at when it slides straight on and turns at a constant v/ω = c = sa for long:
+/// ninety times the give of the softer spring, which the length of the transient is counted in (docs/theory.md, "The
+/// step").
 UnitWrench settled(const FingerCurve& curve, Projection projection, double s, double kappa) {
   const double m0 = curve.moment_ratio();
   const double twist_stiffness = kappa * stiffness * (m0 * radius) * (m0 * radius);
@@ -61,7 +62,8 @@ TEST(SteadyTwist, RadialSettlesAtTheStiffnessRatio) {
   }
 }
 
-/// A finger whose device turns about a centre fixed in space: wrench and COR that it settles at, and by how much the force lags the device.
+/// A finger whose device turns about a centre fixed in space: wrench and COR that it settles at, and by how much the
+/// force lags the device.
 struct Trailing {
   double cor;     ///< c′ [m]
   double force;   ///< [N]
@@ -83,8 +85,9 @@ double hertz_rate(double cor) {
   return mu * load * 3.0 * std::numbers::pi / 8.0 * (1.0 - 0.75 * s * s) / radius;
 }
 
-/// The law: the proxy runs on a circle of radius c′ and is dragged along its path, so that springs and damper in line, k_l + iωb, stretch
-/// by e = iF/(k_l + iωb), and the device is at c′ + e: c² = (c′ + Fωb/K²)² + (F k_l/K²)², K² = k_l² + (ωb)². `drag` is ωb [N/m].
+/// The law: the proxy runs on a circle of radius c′ and is dragged along its path, so that springs and damper in line,
+/// k_l + iωb, stretch by e = iF/(k_l + iωb), and the device is at c′ + e: c² = (c′ + Fωb/K²)² + (F k_l/K²)², K² = k_l²
+/// + (ωb)². `drag` is ωb [N/m].
 Trailing trailing_by_law(double c, double k, double drag) {
   const double square = k * k + drag * drag;
   double low = 0.0;
@@ -98,10 +101,12 @@ Trailing trailing_by_law(double c, double k, double drag) {
   return {low, force, hertz_moment(low), std::asin(force * k / (square * c))};
 }
 
-/// Independent of the step: equilibrium and flow of a sliding contact as differential equations in the slip's COR c′, the force's direction φ
-/// and the speed v of the slip, by Runge and Kutta. With u along the force and h the device's place,
+/// Independent of the step: equilibrium and flow of a sliding contact as differential equations in the slip's COR c′,
+/// the force's direction φ and the speed v of the slip, by Runge and Kutta. With u along the force and h the device's
+/// place,
 ///   Ġ = k(ḣ − v u) + b(ḧ − d(vu)/dt) along and across u,   Ṁ = −c′F′ċ′ = k_r(ω − v/c′).
-/// Without a damper the first one gives v, and with the last ċ′ = (ḣ·u − ωc′)/(F′(1/k + c′²/k_r)). The time unit is 1/ω.
+/// Without a damper the first one gives v, and with the last ċ′ = (ḣ·u − ωc′)/(F′(1/k + c′²/k_r)). The time unit is
+/// 1/ω.
 Trailing trailing_by_integration(double c, double k, double twist_stiffness, double drag) {
   using State = std::array<double, 3>;
   const auto rate = [&](double t, const State& at) -> State {
@@ -111,7 +116,8 @@ Trailing trailing_by_integration(double c, double k, double twist_stiffness, dou
     const double along = c * std::cos(behind);
     const double across = -c * std::sin(behind);
     const double slope = hertz_rate(cor);
-    if (drag == 0.0) return {(along - cor) / (slope * (1.0 / k + cor * cor / twist_stiffness)), k * across / hertz_force(cor), 0.0};
+    if (drag == 0.0)
+      return {(along - cor) / (slope * (1.0 / k + cor * cor / twist_stiffness)), k * across / hertz_force(cor), 0.0};
     const double cor_rate = twist_stiffness * (speed / cor - 1.0) / (cor * slope);
     return {cor_rate, (k * across + drag * along) / (hertz_force(cor) + drag * speed),
             (k * (along - speed) - drag * across - slope * cor_rate) / drag};
@@ -129,12 +135,14 @@ Trailing trailing_by_integration(double c, double k, double twist_stiffness, dou
     const State second = rate(t + 0.5 * step, moved(state, first, 0.5 * step));
     const State third = rate(t + 0.5 * step, moved(state, second, 0.5 * step));
     const State fourth = rate(t + step, moved(state, third, step));
-    state = moved(moved(moved(moved(state, first, step / 6.0), second, step / 3.0), third, step / 3.0), fourth, step / 6.0);
+    state =
+        moved(moved(moved(moved(state, first, step / 6.0), second, step / 3.0), third, step / 3.0), fourth, step / 6.0);
   }
   return {state[0], hertz_force(state[0]), hertz_moment(state[0]), step * count + 0.5 * std::numbers::pi - state[1]};
 }
 
-// docs/theory.md, "The step": about a centre that stays, a finger is a trailer. Both laws, to four digits at 1 mrad a step.
+// docs/theory.md, "The step": about a centre that stays, a finger is a trailer. Both laws, to four digits at 1 mrad a
+// step.
 TEST(SteadyTwist, AboutAFixedCentreTheFingerTrails) {
   const Table table = Table::build(hertz(), 1e-8);
   constexpr double rate = 2.0;  // [rad/s]
@@ -143,7 +151,8 @@ TEST(SteadyTwist, AboutAFixedCentreTheFingerTrails) {
       for (const double twist_stiffness : {0.004, 0.04}) {
         const Trailing law = trailing_by_law(c, k, rate * damping);
         const Trailing integrated = trailing_by_integration(c, k, twist_stiffness, rate * damping);
-        const std::string where = "c " + std::to_string(c) + " k " + std::to_string(k) + " b " + std::to_string(damping);
+        const std::string where =
+            "c " + std::to_string(c) + " k " + std::to_string(k) + " b " + std::to_string(damping);
         EXPECT_NEAR(integrated.cor, law.cor, 1e-8 * radius) << where;
         EXPECT_NEAR(integrated.lag, law.lag, 1e-8) << where;
         FingerParameters soft = parameters(mu, radius, k, twist_stiffness);
@@ -166,8 +175,9 @@ TEST(SteadyTwist, AboutAFixedCentreTheFingerTrails) {
   }
 }
 
-/// Slip, in lengths max(μP/k_l, aΓ/k_r), after which a finger that starts from rest stays within accuracy::steady_wrench of eq. (17), under a
-/// twist about s = c/a at the stiffness ratio κ, with a radius that grows with the load. Twice `longest` is looked at.
+/// Slip, in lengths max(μP/k_l, aΓ/k_r), after which a finger that starts from rest stays within
+/// accuracy::steady_wrench of eq. (17), under a twist about s = c/a at the stiffness ratio κ, with a radius that grows
+/// with the load. Twice `longest` is looked at.
 double settled_after(const Law& law, const Table& table, double kappa, double s, double pressed, double longest) {
   const double m0 = law->moment_ratio();
   FingerParameters soft = parameters();
@@ -184,20 +194,22 @@ double settled_after(const Law& law, const Table& table, double kappa, double s,
   for (int n = 0; n * step <= 2.0 * longest * length; ++n) {
     finger.update(on_plane(n * step * (1.0 - u), 0.0, pressed), n * step * u / a);
     const UnitWrench felt = unit_wrench(finger.state(), mu, a);
-    if (std::hypot(felt.force - expected.force, felt.moment - expected.moment) > accuracy::steady_wrench) last = n * step;
+    if (std::hypot(felt.force - expected.force, felt.moment - expected.moment) > accuracy::steady_wrench)
+      last = n * step;
   }
   return last / length;
 }
 
-// Stiffness ratios and centres of rotation over six decades each, every half decade, and where the transient is longest, at light and
-// heavy loads: eq. (17) at once, and the transient no longer than docs/theory.md says.
+// Stiffness ratios and centres of rotation over six decades each, every half decade, and where the transient is
+// longest, at light and heavy loads: eq. (17) at once, and the transient no longer than docs/theory.md says.
 TEST(SteadyTwist, ForgetsTheStartInTheLengthDocumented) {
   const auto forgets = [](const Law& law, double longest, double kappa, double s) {
     const Table table = Table::build(law, 1e-8);
     for (int i = -6; i <= 6; ++i) {
       for (int j = -6; j <= 6; ++j) {
         const double pressed = (i + j) % 2 == 0 ? 0.002 : 0.0002;
-        EXPECT_LT(settled_after(law, table, std::pow(10.0, 0.5 * i), std::pow(10.0, 0.5 * j), pressed, longest), longest)
+        EXPECT_LT(settled_after(law, table, std::pow(10.0, 0.5 * i), std::pow(10.0, 0.5 * j), pressed, longest),
+                  longest)
             << law->name() << ": kappa 10^" << 0.5 * i << " s 10^" << 0.5 * j;
       }
     }
@@ -235,8 +247,8 @@ TEST(SteadyTwist, HalvingTheTimeStepHalvesThePathError) {
   }
 }
 
-// What docs/paper.md says of eq. (23) and of the c-curve where the radius grows with the load: 0.255 N, and 0.438, 0.416, 0.4135 N in steps of
-// 100, 10, 1 µm, where eq. (17) has 0.487 N.
+// What docs/paper.md says of eq. (23) and of the c-curve where the radius grows with the load: 0.255 N, and 0.438,
+// 0.416, 0.4135 N in steps of 100, 10, 1 µm, where eq. (17) has 0.487 N.
 TEST(SteadyTwist, GrowingRadius) {
   const Table table = Table::build(hertz(), 1e-8);
   const auto force = [&](Projection projection, double step) {
@@ -253,7 +265,8 @@ TEST(SteadyTwist, GrowingRadius) {
   EXPECT_NEAR(force(Projection::c_curve, 1e-6), 0.4135, 0.0005);
   // (3π/8)s(1 − s²/4), s = 5/6.
   const double s = 5.0 / 6.0;
-  EXPECT_NEAR(force(Projection::closest_point, 1e-5), 0.6 * 3.0 * std::numbers::pi / 8.0 * s * (1.0 - 0.25 * s * s), 1e-7);
+  EXPECT_NEAR(force(Projection::closest_point, 1e-5), 0.6 * 3.0 * std::numbers::pi / 8.0 * s * (1.0 - 0.25 * s * s),
+              1e-7);
 }
 
 }  // namespace

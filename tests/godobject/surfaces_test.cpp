@@ -52,7 +52,8 @@ void check_distance(const Shape& shape, Inside&& inside) {
     if (inside(finger)) {
       EXPECT_GT(contact.depth, 0.0);
     } else {
-      // The grid's points are at most half a diagonal of 2.5/30 from the nearest, or of what is coarser in a short build.
+      // The grid's points are at most half a diagonal of 2.5/30 from the nearest, or of what is coarser in a short
+      // build.
       const double distance = distance_by_search(finger, 1.25, inside);
       EXPECT_LE(-contact.depth, distance + 1e-12);
       EXPECT_GE(-contact.depth, distance - 0.08 * (60.0 / cells));
@@ -62,11 +63,14 @@ void check_distance(const Shape& shape, Inside&& inside) {
 
 TEST(Surfaces, FindTheNearestPoint) {
   check_distance(SphereSurface(0.9), [](const Vector3d& p) { return p.norm() <= 0.9; });
-  check_distance(CapsuleSurface(0.4, 0.7),
-                 [](const Vector3d& p) { return (p - Vector3d(0.0, 0.0, std::clamp(p.z(), -0.7, 0.7))).norm() <= 0.4; });
-  check_distance(CylinderSurface(0.6, 0.9), [](const Vector3d& p) { return std::hypot(p.x(), p.y()) <= 0.6 && std::fabs(p.z()) <= 0.9; });
-  check_distance(BoxSurface({0.5, 0.9, 0.7}),
-                 [](const Vector3d& p) { return std::fabs(p.x()) <= 0.5 && std::fabs(p.y()) <= 0.9 && std::fabs(p.z()) <= 0.7; });
+  check_distance(CapsuleSurface(0.4, 0.7), [](const Vector3d& p) {
+    return (p - Vector3d(0.0, 0.0, std::clamp(p.z(), -0.7, 0.7))).norm() <= 0.4;
+  });
+  check_distance(CylinderSurface(0.6, 0.9),
+                 [](const Vector3d& p) { return std::hypot(p.x(), p.y()) <= 0.6 && std::fabs(p.z()) <= 0.9; });
+  check_distance(BoxSurface({0.5, 0.9, 0.7}), [](const Vector3d& p) {
+    return std::fabs(p.x()) <= 0.5 && std::fabs(p.y()) <= 0.9 && std::fabs(p.z()) <= 0.7;
+  });
 }
 
 TEST(Surfaces, AThinPlateIsNotPassedThrough) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The box is the paper's §3.1: a friction test of the force and one of the moment, each with its own slip state, "they do
-// not influence each other in any way".
+// The box is the paper's §3.1: a friction test of the force and one of the moment, each with its own slip state, "they
+// do not influence each other in any way".
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ FingerCurve hertz_box() {
   return box(1.0, hertz()->moment_ratio());
 }
 
-/// Eqs. (8) to (12) for a single number: a proxy on a line (or a circle), a spring, a sticking limit and one while it slides. It comes to rest
-/// when its trial has retreated within `sliding`/(1 + margin·(sticking/sliding − 1)).
+/// Eqs. (8) to (12) for a single number: a proxy on a line (or a circle), a spring, a sticking limit and one while it
+/// slides. It comes to rest when its trial has retreated within `sliding`/(1 + margin·(sticking/sliding − 1)).
 struct Scalar {
   double stiffness;
   double margin;
@@ -44,7 +44,8 @@ TEST(Uncoupled, EitherPartIsWhatItIsWithoutTheOther) {
   int turns = 0;
   int only_one = 0;
   for (int scene = 0; scene < 200; ++scene) {
-    FingerParameters with = parameters(random.uniform(0.1, 1.0), random.logarithmic(1e-4, 1e-2), 1000.0, random.logarithmic(1e-3, 1.0));
+    FingerParameters with =
+        parameters(random.uniform(0.1, 1.0), random.logarithmic(1e-4, 1e-2), 1000.0, random.logarithmic(1e-3, 1.0));
     if (scene % 2 == 0) with.mu_dynamic = with.mu * random.uniform(0.05, 1.0);
     if (scene % 3 == 0) with.radius_law = RadiusLaw::power(0.004, 0.3);
     if (scene % 4 == 0) {
@@ -62,7 +63,9 @@ TEST(Uncoupled, EitherPartIsWhatItIsWithoutTheOther) {
     other_twist.mu_r = 0.01;
     other_twist.mu_r_dynamic = 0.001;
     FingerParameters other_slide = with;
-    const double moment_share = with.mu_r_dynamic ? *with.mu_r_dynamic / *with.mu_r : with.mu_dynamic ? *with.mu_dynamic / with.mu : 1.0;
+    const double moment_share = with.mu_r_dynamic ? *with.mu_r_dynamic / *with.mu_r
+                                : with.mu_dynamic ? *with.mu_dynamic / with.mu
+                                                  : 1.0;
     if (with.mu_r) {
       other_slide.mu_r_dynamic = *with.mu_r * moment_share;
       other_slide.mu_dynamic = with.mu * random.uniform(0.0, 1.0);
@@ -85,7 +88,8 @@ TEST(Uncoupled, EitherPartIsWhatItIsWithoutTheOther) {
       const FingerOutput turned = twist.update(on_plane(0.0, 0.0, depth), angle, 1e-3);
       ASSERT_TRUE(same_bits(felt.force, slid.force) && same_bits(felt.proxy, slid.proxy)) << scene << ' ' << i;
       if (with.mu_r) {
-        // Its μ_d differs: the same limit, but for its rounding, which stays in the angle of the proxy when the load falls.
+        // Its μ_d differs: the same limit, but for its rounding, which stays in the angle of the proxy when the load
+        // falls.
         const double largest_limit = *with.mu_r * with.stiffness * 2e-3;
         ASSERT_NEAR(felt.moment, turned.moment, 1e-12 * largest_limit) << scene << ' ' << i;
       } else {
@@ -137,10 +141,12 @@ TEST(Uncoupled, IsTwoScalarTests) {
       const double expected_moment = moment.step(angle, *with.mu_r * load, *with.mu_r_dynamic * load);
       ASSERT_NEAR(output.force.x(), expected_force, 1e-11 * load) << scene << ' ' << i;
       ASSERT_NEAR(output.moment, expected_moment, 1e-11 * *with.mu_r * load) << scene << ' ' << i;
-      ASSERT_EQ(output.state, force.slipped || moment.slipped ? ContactState::slip : ContactState::stick) << scene << ' ' << i;
+      ASSERT_EQ(output.state, force.slipped || moment.slipped ? ContactState::slip : ContactState::stick)
+          << scene << ' ' << i;
       // How far from the next slip: nearer of the two, each to the limit that acts on it.
-      const double share = std::max(std::fabs(expected_force) / ((force.slides ? *with.mu_dynamic : with.mu) * load),
-                                    std::fabs(expected_moment) / ((moment.slides ? *with.mu_r_dynamic : *with.mu_r) * load));
+      const double share =
+          std::max(std::fabs(expected_force) / ((force.slides ? *with.mu_dynamic : with.mu) * load),
+                   std::fabs(expected_moment) / ((moment.slides ? *with.mu_r_dynamic : *with.mu_r) * load));
       if (output.state == ContactState::stick) {
         ASSERT_NEAR(finger.margin(), std::max(1.0 - share, 0.0), 1e-9) << scene << ' ' << i;
       }

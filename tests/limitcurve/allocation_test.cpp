@@ -27,7 +27,8 @@ void* counted(std::size_t size) {
 
 }  // namespace
 
-// The pairs that the standard library's others fall back on; the one that does not throw too, which a sanitizer brings itself.
+// The pairs that the standard library's others fall back on; the one that does not throw too, which a sanitizer brings
+// itself.
 void* operator new(std::size_t size) {
   return counted(size);
 }
@@ -89,7 +90,8 @@ TEST(Allocation, NoLawAllocates) {
     expect_no_allocation(name.data(), ExactCurve(law));
     for (const Method method : {Method::automatic, Method::closed, Method::ring, Method::punch}) {
       if (!law->allows(method)) continue;
-      EXPECT_EQ(allocations_in([&] { static_cast<void>(law->evaluate(0.7, method)); }), 0) << name << ' ' << to_string(method);
+      EXPECT_EQ(allocations_in([&] { static_cast<void>(law->evaluate(0.7, method)); }), 0)
+          << name << ' ' << to_string(method);
     }
   }
 }

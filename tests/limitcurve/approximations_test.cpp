@@ -15,7 +15,8 @@ namespace {
 TEST(Polygon, CornerOfTheBoxServesEveryTwistThatSlidesAndSpins) {
   const Box curve = box(1.0, 0.6);
   const UnitWrench corner{1.0, 0.6};
-  for (const double s : {5e-324, 1e-300, 1e-3, 1.0, 1e3, 1e300, 1.7e308}) EXPECT_EQ(curve.wrench({s, 1.0}), corner) << s;
+  for (const double s : {5e-324, 1e-300, 1e-3, 1.0, 1e3, 1e300, 1.7e308})
+    EXPECT_EQ(curve.wrench({s, 1.0}), corner) << s;
   EXPECT_EQ(curve.wrench({1.0, 5e-324}), corner);
   EXPECT_EQ(curve.wrench({1.0, 0.0}), (UnitWrench{1.0, 0.0}));
   EXPECT_EQ(curve.wrench({0.0, 1.0}), (UnitWrench{0.0, 0.6}));
@@ -42,8 +43,10 @@ TEST(Approximations, RefuseBadParameters) {
     EXPECT_THROW(diamond(bad, 1.0), std::invalid_argument) << bad;
     EXPECT_THROW(diamond(1.0, bad), std::invalid_argument) << bad;
   }
-  EXPECT_THROW(Polygon<3>({UnitWrench{1.0, 0.0}, UnitWrench{0.4, 0.4}, UnitWrench{0.0, 1.0}}), std::invalid_argument) << "concave";
-  EXPECT_THROW(Polygon<3>({UnitWrench{1.0, 0.0}, UnitWrench{1.1, 0.4}, UnitWrench{0.0, 1.0}}), std::invalid_argument) << "overhang";
+  EXPECT_THROW(Polygon<3>({UnitWrench{1.0, 0.0}, UnitWrench{0.4, 0.4}, UnitWrench{0.0, 1.0}}), std::invalid_argument)
+      << "concave";
+  EXPECT_THROW(Polygon<3>({UnitWrench{1.0, 0.0}, UnitWrench{1.1, 0.4}, UnitWrench{0.0, 1.0}}), std::invalid_argument)
+      << "overhang";
   EXPECT_THROW(Polygon<2>({UnitWrench{1.0, 0.1}, UnitWrench{0.0, 1.0}}), std::invalid_argument) << "not on the axis";
   EXPECT_THROW(Polygon<2>({UnitWrench{1.0, 0.0}, UnitWrench{0.1, 1.0}}), std::invalid_argument) << "not on the axis";
   EXPECT_THROW(Polygon<3>({UnitWrench{1.0, 0.0}, UnitWrench{nan, 0.4}, UnitWrench{0.0, 1.0}}), std::invalid_argument);

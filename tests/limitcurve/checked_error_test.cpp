@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables of laws of all kinds, with parameters from their whole range and tolerances that are not powers of ten: none is off by more than it
-// certifies, nor by more than its tolerance.
+// Tables of laws of all kinds, with parameters from their whole range and tolerances that are not powers of ten: none
+// is off by more than it certifies, nor by more than its tolerance.
 #include "limitcurve/laws.hpp"
 #include "limitcurve/measured/samples.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
@@ -28,7 +28,9 @@ using Exact = std::function<UnitWrench(SlipTwist)>;
 class Draw {
  public:
   explicit Draw(int seed) : generator_(static_cast<std::uint64_t>(seed)) {}
-  double uniform(double low, double high) { return low + (high - low) * (static_cast<double>(generator_() >> 11) * 0x1p-53); }
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(generator_() >> 11) * 0x1p-53);
+  }
   double decades(double low, double high) { return std::pow(10.0, uniform(low, high)); }
 
   Law law(bool simple = false) {
@@ -71,8 +73,8 @@ class Draw {
   std::mt19937_64 generator_;
 };
 
-/// The largest error at places that crowd to 0, to ∞ and to the rim from both sides: a scan, then ever finer around the worst of it, which
-/// finds more than a scan of a hundred times as many.
+/// The largest error at places that crowd to 0, to ∞ and to the rim from both sides: a scan, then ever finer around the
+/// worst of it, which finds more than a scan of a hundred times as many.
 template <class Real>
 double largest_error(const BasicTable<Real>& table, const Exact& exact, int places) {
   struct Place {
@@ -127,10 +129,12 @@ void expect_checked(double finest) {
       return UnitWrench{static_cast<double>(forces.force), static_cast<double>(forces.moment)};
     };
     try {
-      const auto table = own ? BasicTable<Real>::build(curve, tolerance, {.name = "own"}) : BasicTable<Real>::build(law, tolerance);
+      const auto table =
+          own ? BasicTable<Real>::build(curve, tolerance, {.name = "own"}) : BasicTable<Real>::build(law, tolerance);
       const double error = largest_error(table, exact, places);
       EXPECT_LE(error, table.checked_error()) << seed << ' ' << table.law_name() << ' ' << tolerance;
-      EXPECT_LE(table.checked_error(), tolerance * std::max(exact({1.0, 0.0}).force, exact({0.0, 1.0}).moment) * (1.0 + 1e-15));
+      EXPECT_LE(table.checked_error(),
+                tolerance * std::max(exact({1.0, 0.0}).force, exact({0.0, 1.0}).moment) * (1.0 + 1e-15));
       worst = std::max(worst, error / table.checked_error());
       ++tables;
     } catch (const std::runtime_error&) {

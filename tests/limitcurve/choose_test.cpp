@@ -20,7 +20,8 @@ namespace limitcurve::test {
 namespace {
 
 const Candidate& chosen(const std::vector<Candidate>& candidates) {
-  return *std::find_if(candidates.begin(), candidates.end(), [](const Candidate& candidate) { return candidate.chosen; });
+  return *std::find_if(candidates.begin(), candidates.end(),
+                       [](const Candidate& candidate) { return candidate.chosen; });
 }
 
 TEST(Choose, TakesTheCheapestThatIsGoodEnough) {
@@ -31,7 +32,9 @@ TEST(Choose, TakesTheCheapestThatIsGoodEnough) {
       const auto candidates = choose(parse_law(law), tolerance);
       const Candidate& best = chosen(candidates);
       EXPECT_LE(best.error, tolerance) << law;
-      EXPECT_EQ(std::count_if(candidates.begin(), candidates.end(), [](const Candidate& candidate) { return candidate.chosen; }), 1);
+      EXPECT_EQ(std::count_if(candidates.begin(), candidates.end(),
+                              [](const Candidate& candidate) { return candidate.chosen; }),
+                1);
       for (const Candidate& other : candidates) {
         if (other.nanoseconds < best.nanoseconds / (1.0 + cost_tie)) {
           EXPECT_GT(other.error, tolerance) << law << ": " << other.model;
@@ -77,13 +80,16 @@ TEST(Choose, OfEqualCostsTheSmallerErrorWins) {
 TEST(Choose, SaysWhatItBeatAndWhy) {
   const auto candidates = choose(hertz(), 0.01);
   const auto reason = [&](const char* model) {
-    return std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) { return candidate.model == model; })->reason;
+    return std::find_if(candidates.begin(), candidates.end(),
+                        [&](const Candidate& candidate) { return candidate.model == model; })
+        ->reason;
   };
   EXPECT_EQ(reason("ellipse"), "6.4 % > 1 %");
   EXPECT_EQ(reason("box"), "50 % > 1 %");
   EXPECT_EQ(reason("exact").substr(0, 3), "0, ");
   EXPECT_NE(reason("exact").find(" times the cost"), std::string::npos);
-  EXPECT_EQ(reason(chosen(candidates).model.c_str()).substr(reason(chosen(candidates).model.c_str()).find(':')), ": chosen");
+  EXPECT_EQ(reason(chosen(candidates).model.c_str()).substr(reason(chosen(candidates).model.c_str()).find(':')),
+            ": chosen");
 }
 
 TEST(Choose, FractionsAsPeopleReadThem) {
@@ -96,7 +102,8 @@ TEST(Choose, FractionsAsPeopleReadThem) {
 }
 
 TEST(Choose, RefusesTolerancesThatMeanNothing) {
-  for (const double tolerance : {0.0, -1.0, 1e-11, 2.0}) EXPECT_THROW(choose(hertz(), tolerance), std::invalid_argument);
+  for (const double tolerance : {0.0, -1.0, 1e-11, 2.0})
+    EXPECT_THROW(choose(hertz(), tolerance), std::invalid_argument);
 }
 
 }  // namespace

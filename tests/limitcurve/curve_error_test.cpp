@@ -53,7 +53,8 @@ Counted count_errors(const Model& model, const PressureLaw& law) {
 }
 
 TEST(CurveError, OfTheEllipseIsAsPublished) {
-  for (const auto& [name, over] : {std::pair{"flat-punch", 8.26}, {"uniform", 7.04}, {"hertz", 6.38}, {"parabolic", 5.97}}) {
+  for (const auto& [name, over] :
+       {std::pair{"flat-punch", 8.26}, {"uniform", 7.04}, {"hertz", 6.38}, {"parabolic", 5.97}}) {
     const ExactCurve exact(parse_law(name));
     const CurveError error = curve_error(Ellipse::through_intercepts(exact.moment_ratio()), exact);
     EXPECT_NEAR(100.0 * error.max_over_estimate, over, 0.005) << name;
@@ -79,8 +80,9 @@ double xydas_kao_moment(double k, double j) {
   return std::beta((j + 1.0) / k, 1.0 / k + 1.0) / k;
 }
 
-// Once the error was inf for k = 0.1 (truth 2.843), and for the Gaussian it depended on the unit of length (truth 0.5708).
-// A pressure that is infinite at the centre: the true COR over that of the wrench on an ellipse falls as 1/log(1/s).
+// Once the error was inf for k = 0.1 (truth 2.843), and for the Gaussian it depended on the unit of length (truth
+// 0.5708). A pressure that is infinite at the centre: the true COR over that of the wrench on an ellipse falls as
+// 1/log(1/s).
 TEST(CurveError, OfTheCentreOfRotationHasNoBoundWhereThePressureIsInfinite) {
   for (const char* name : {"uniform-wear", "mix:0.1*uniform-wear+0.9*hertz"}) {
     const ExactCurve exact(parse_law(name));
@@ -95,7 +97,9 @@ TEST(CurveError, OfTheCentreOfRotationHasNoBoundWhereThePressureIsInfinite) {
 }
 
 TEST(CurveError, DoesNotDependOnUnitsOfLength) {
-  const auto error_of = [](const Law& law) { return curve_error(Ellipse::through_intercepts(law->moment_ratio()), ExactCurve(law)); };
+  const auto error_of = [](const Law& law) {
+    return curve_error(Ellipse::through_intercepts(law->moment_ratio()), ExactCurve(law));
+  };
   const CurveError metre = error_of(gaussian(1.0));
   for (const double sigma : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
     const CurveError error = error_of(gaussian(sigma));
@@ -182,8 +186,8 @@ TEST(CurveError, OfTheDiamondIsAllOnTheWeakSide) {
   EXPECT_EQ(error.max_cor_error, inf);
 }
 
-/// Zhuravlev's two numbers for Hertz, written out; the model's twist on the ray of an exact wrench by bisection, the exact curve by the
-/// closed form for c ≤ a and as the mean over points of the disc beyond.
+/// Zhuravlev's two numbers for Hertz, written out; the model's twist on the ray of an exact wrench by bisection, the
+/// exact curve by the closed form for c ≤ a and as the mean over points of the disc beyond.
 TEST(CurveError, OfThePadeModelIsThatOfItsOwnTwist) {
   const double m0 = 3.0 * std::numbers::pi / 16.0;
   const auto model = [&](double s) {
@@ -191,7 +195,8 @@ TEST(CurveError, OfThePadeModelIsThatOfItsOwnTwist) {
   };
   const auto exact = [&](double s) {
     if (s <= 1.0) {
-      return UnitWrench{3.0 * std::numbers::pi / 8.0 * s * (1.0 - 0.25 * s * s), m0 * (1.0 - s * s + 0.375 * s * s * s * s)};
+      return UnitWrench{3.0 * std::numbers::pi / 8.0 * s * (1.0 - 0.25 * s * s),
+                        m0 * (1.0 - s * s + 0.375 * s * s * s * s)};
     }
     UnitWrench sum{0.0, 0.0};
     constexpr int rings = 100;
@@ -291,9 +296,11 @@ TEST(InnerEllipse, IsInsideWithTheLeastLargestError) {
     EXPECT_LE(extremes(inner).first, 1.0 + 1e-12) << name;
     for (int i = 0; i < 300; ++i) {
       const double size = std::pow(10.0, -3.0 * i / 300.0);
-      const Ellipse other(inner.force_max() * std::exp(size * factor(random)), inner.moment_max() * std::exp(size * factor(random)));
+      const Ellipse other(inner.force_max() * std::exp(size * factor(random)),
+                          inner.moment_max() * std::exp(size * factor(random)));
       const auto [strong, weak] = extremes(other);
-      EXPECT_TRUE(strong > 1.0 + 1e-7 || weak < weakest + 1e-6) << name << ' ' << other.force_max() << ' ' << other.moment_max();
+      EXPECT_TRUE(strong > 1.0 + 1e-7 || weak < weakest + 1e-6)
+          << name << ' ' << other.force_max() << ' ' << other.moment_max();
     }
   }
 }
@@ -304,7 +311,8 @@ TEST(InnerEllipse, IsTheOneThroughTheInterceptsShrunk) {
   for (const char* name : {"hertz", "uniform", "flat-punch", "parabolic", "cone", "gaussian:sigma=0.4"}) {
     const ExactCurve exact(parse_law(name));
     const Ellipse inner = inner_ellipse(exact);
-    const double shrunk = 1.0 / (1.0 + curve_error(Ellipse::through_intercepts(exact.moment_ratio()), exact).max_over_estimate);
+    const double shrunk =
+        1.0 / (1.0 + curve_error(Ellipse::through_intercepts(exact.moment_ratio()), exact).max_over_estimate);
     EXPECT_NEAR(inner.force_max(), shrunk, 1e-7) << name;
     EXPECT_NEAR(inner.moment_max() / exact.moment_ratio(), shrunk, 1e-7) << name;
     EXPECT_NEAR(curve_error(inner, exact).max_under_estimate, 1.0 - shrunk, 1e-7) << name;

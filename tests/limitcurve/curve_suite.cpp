@@ -72,27 +72,29 @@ Tested superellipse(std::string name, double exponent) {
 }
 
 std::vector<Tested> all_curves() {
-  return {tested("exact_hertz", ExactCurve(hertz())),
-          tested("exact_uniform", ExactCurve(uniform())),
-          tested("exact_flat_punch", ExactCurve(flat_punch())),
-          tested("exact_cone", ExactCurve(cone())),
-          tested("exact_gaussian", ExactCurve(gaussian(0.4))),
-          tested("ellipse", Ellipse::through_intercepts(0.58)),
-          tested("slender_ellipse", Ellipse(2.0, 1e-3)),
-          superellipse("superellipse_1p05", 1.05),
-          superellipse("superellipse_1p7", 1.7),
-          superellipse("superellipse_2", 2.0),
-          superellipse("superellipse_3", 3.0),
-          superellipse("superellipse_50", 50.0),
-          tested("table_hertz_1em3", Table::build(hertz(), 1e-3)),
-          tested("table_uniform_1em6", Table::build(uniform(), 1e-6)),
-          tested("table_flat_punch_1em9", Table::build(flat_punch(), 1e-9)),
-          tested("table_power_1em11", Table::build(power(-0.9), 1e-11)),
-          tested("table_gaussian_1em12", Table::build(gaussian(0.4), 1e-12)),
-          tested("table_superellipse_1em8", Table::build(Superellipse{1.1, 0.6, 1.725}, 1e-8, {.name = "superellipse"})),
-          polygonal("box", box(1.0, 0.6)),
-          polygonal("diamond", diamond(1.2, 0.5)),
-          polygonal("octagon", Polygon<4>({UnitWrench{1.0, 0.0}, UnitWrench{0.9, 0.3}, UnitWrench{0.4, 0.55}, UnitWrench{0.0, 0.6}}))};
+  return {
+      tested("exact_hertz", ExactCurve(hertz())),
+      tested("exact_uniform", ExactCurve(uniform())),
+      tested("exact_flat_punch", ExactCurve(flat_punch())),
+      tested("exact_cone", ExactCurve(cone())),
+      tested("exact_gaussian", ExactCurve(gaussian(0.4))),
+      tested("ellipse", Ellipse::through_intercepts(0.58)),
+      tested("slender_ellipse", Ellipse(2.0, 1e-3)),
+      superellipse("superellipse_1p05", 1.05),
+      superellipse("superellipse_1p7", 1.7),
+      superellipse("superellipse_2", 2.0),
+      superellipse("superellipse_3", 3.0),
+      superellipse("superellipse_50", 50.0),
+      tested("table_hertz_1em3", Table::build(hertz(), 1e-3)),
+      tested("table_uniform_1em6", Table::build(uniform(), 1e-6)),
+      tested("table_flat_punch_1em9", Table::build(flat_punch(), 1e-9)),
+      tested("table_power_1em11", Table::build(power(-0.9), 1e-11)),
+      tested("table_gaussian_1em12", Table::build(gaussian(0.4), 1e-12)),
+      tested("table_superellipse_1em8", Table::build(Superellipse{1.1, 0.6, 1.725}, 1e-8, {.name = "superellipse"})),
+      polygonal("box", box(1.0, 0.6)),
+      polygonal("diamond", diamond(1.2, 0.5)),
+      polygonal("octagon",
+                Polygon<4>({UnitWrench{1.0, 0.0}, UnitWrench{0.9, 0.3}, UnitWrench{0.4, 0.55}, UnitWrench{0.0, 0.6}}))};
 }
 
 class CurveSuite : public testing::TestWithParam<Tested> {
@@ -135,7 +137,8 @@ TEST_P(CurveSuite, SignsAreIgnored) {
   }
 }
 
-/// A slip of any size, and a ray by a vector of any length. The squares of 1e-200 are 0: the ellipse had an infinite wrench.
+/// A slip of any size, and a ray by a vector of any length. The squares of 1e-200 are 0: the ellipse had an infinite
+/// wrench.
 TEST_P(CurveSuite, OnlyTheDirectionCounts) {
   for (const SlipTwist twist : twists_) {
     const UnitWrench wrench = curve().wrench(twist);
@@ -159,7 +162,8 @@ TEST_P(CurveSuite, WrenchSupportsAmongTheRays) {
   constexpr int rays = 400;
   std::vector<UnitWrench> points;
   for (int i = 0; i <= rays; ++i) {
-    points.push_back(curve().along({static_cast<double>(rays - i), curve().moment_ratio * static_cast<double>(i)}).wrench);
+    points.push_back(
+        curve().along({static_cast<double>(rays - i), curve().moment_ratio * static_cast<double>(i)}).wrench);
   }
   for (const SlipTwist twist : twists_) {
     const double own = power_of(twist, curve().wrench(twist));
@@ -198,7 +202,8 @@ TEST_P(CurveSuite, GaugeKeepsNaNAndInfinity) {
       if (std::isnan(other)) continue;
       EXPECT_EQ(curve().gauge({large_force, large_moment}), infinite);
       if (std::isinf(other)) continue;
-      EXPECT_EQ(curve().wrench({large_force, large_moment}), curve().wrench(force_first ? SlipTwist{1, 0} : SlipTwist{0, 1}));
+      EXPECT_EQ(curve().wrench({large_force, large_moment}),
+                curve().wrench(force_first ? SlipTwist{1, 0} : SlipTwist{0, 1}));
     }
   }
 }
@@ -216,7 +221,8 @@ TEST_P(CurveSuite, AlongFindsThePointAgain) {
   }
 }
 
-/// A search that resolves 1e-16 of the spin fraction is off by 2e-4 here: half of the load lies within 1e-9 of the radius.
+/// A search that resolves 1e-16 of the spin fraction is off by 2e-4 here: half of the load lies within 1e-9 of the
+/// radius.
 TEST(ExactCurve, FindsSlipsBesideTheCentreOfASharpPeak) {
   const ExactCurve curve(xydas_kao(0.02));
   for (double s = 1.0; s > 1e-60; s /= 30.0) {
@@ -278,7 +284,8 @@ TEST_P(CurveSuite, SlopeIsThatOfTheWrench) {
     const UnitWrench after = curve().wrench(SlipTwist::of_spin_fraction(u + step));
     const double rounding = 4 * epsilon / step;
     EXPECT_NEAR((after.force - before.force) / (2 * step), slope.force, -1e-5 * slope.force + rounding) << twist.cor();
-    EXPECT_NEAR((after.moment - before.moment) / (2 * step), slope.moment, 1e-5 * slope.moment + rounding) << twist.cor();
+    EXPECT_NEAR((after.moment - before.moment) / (2 * step), slope.moment, 1e-5 * slope.moment + rounding)
+        << twist.cor();
   }
 }
 
@@ -290,7 +297,8 @@ TEST_P(CurveSuite, SlopeIsAtRightAnglesToTheTwist) {
     const UnitWrench slope = curve().point(twist).slope;
     const double along_force = -twist.slide * slope.force;
     const double along_moment = twist.spin * slope.moment;
-    EXPECT_NEAR(along_force, along_moment, curve().normal_error * std::max(along_force, along_moment) + 1e-300) << twist.cor();
+    EXPECT_NEAR(along_force, along_moment, curve().normal_error * std::max(along_force, along_moment) + 1e-300)
+        << twist.cor();
   }
 }
 

@@ -56,8 +56,9 @@ TEST_P(Reference, EvaluateIsRightInRelativeTerms) {
   });
 }
 
-// The support function at s = 1 is ∫₀¹ (2/π)(1+ρ)E(2√ρ/(1+ρ)) dρ = (2/π) ∫₀¹ 2E(ρ) − (1−ρ²)K(ρ) dρ (DLMF 19.8.12), whose integrals are
-// Catalan's constant G (∫K = 2G, ∫E = G + ½, ∫ρ²K = (2G + 1)/4); s → 0 and s → ∞ are the first terms of series.
+// The support function at s = 1 is ∫₀¹ (2/π)(1+ρ)E(2√ρ/(1+ρ)) dρ = (2/π) ∫₀¹ 2E(ρ) − (1−ρ²)K(ρ) dρ (DLMF 19.8.12),
+// whose integrals are Catalan's constant G (∫K = 2G, ∫E = G + ½, ∫ρ²K = (2G + 1)/4); s → 0 and s → ∞ are the first
+// terms of series.
 TEST(UniformWear, HasItsClosedForms) {
   using boost::math::double_constants::catalan;
   using boost::math::double_constants::pi;
@@ -66,7 +67,8 @@ TEST(UniformWear, HasItsClosedForms) {
   near(law->moment_ratio(), 0.5);
   near(law->evaluate(1.0).wrench.force, (1 + 2 * catalan) / pi);
   near(law->evaluate(1.0).wrench.moment, (3 - 2 * catalan) / (2 * pi));
-  for (const double s : {1e-9, 0.9e-20, 1.1e-20, 1e-300}) near(law->evaluate(s).wrench.force, s / 2 * (std::log(4 / s) + 0.5));
+  for (const double s : {1e-9, 0.9e-20, 1.1e-20, 1e-300})
+    near(law->evaluate(s).wrench.force, s / 2 * (std::log(4 / s) + 0.5));
   for (const double s : {1e9, 1e100}) near(law->evaluate(s).wrench.moment, 1 / (6 * s));
   // Between them eq. (17) as printed.
   for (const double s : {0.01, 0.5, 0.9, 1.1, 3.0}) {
@@ -95,8 +97,8 @@ TEST_P(Reference, ForcesForLoopsAreRightInRelativeTerms) {
   });
 }
 
-/// The true error is never above the estimate, and the estimate is not more than 1000 times the true error or 1e-15 (where long double is double,
-/// 64 roundings of it).
+/// The true error is never above the estimate, and the estimate is not more than 1000 times the true error or 1e-15
+/// (where long double is double, 64 roundings of it).
 constexpr long double cautious = accuracy::has_extended ? 1e-15L : 2e-14L;
 constexpr long double cautious_direct = accuracy::has_extended ? 1e-15L : 2e-13L;
 TEST_P(Reference, ErrorEstimatesAreHonest) {
@@ -115,14 +117,15 @@ TEST_P(Reference, ErrorEstimatesAreHonest) {
   }
 }
 
-/// The double integral costs up to a second a point: six points of every law, or one, another one for the next law, unless studies are whole.
+/// The double integral costs up to a second a point: six points of every law, or one, another one for the next law,
+/// unless studies are whole.
 TEST_P(Reference, DirectIsHonestToo) {
   constexpr std::array points{0.0, 0.5, 0.9999, 1.0, 3.0, std::numeric_limits<double>::infinity()};
   const std::vector<std::string> laws = reference_laws();
   const std::size_t stride = studies_are_whole() ? 1 : points.size();
   std::set<double> chosen;
-  for (auto i = static_cast<std::size_t>(std::find(laws.begin(), laws.end(), GetParam()) - laws.begin()) % stride; i < points.size();
-       i += stride) {
+  for (auto i = static_cast<std::size_t>(std::find(laws.begin(), laws.end(), GetParam()) - laws.begin()) % stride;
+       i < points.size(); i += stride) {
     chosen.insert(points[i]);
   }
   std::size_t checked = 0;
@@ -149,8 +152,9 @@ TEST(ReferenceFile, CoversEveryKindOfLaw) {
   for (const std::string_view example : law_examples()) {
     const std::string_view kind = example.substr(0, example.find(':'));
     if (kind == "uniform-wear") continue;  // its slope at 0 is infinite: UniformWear.HasItsClosedForms
-    EXPECT_TRUE(std::any_of(laws.begin(), laws.end(), [&](const std::string& law) { return law.substr(0, law.find(':')) == kind; }))
-        << kind;
+    EXPECT_TRUE(std::any_of(laws.begin(), laws.end(), [&](const std::string& law) {
+      return law.substr(0, law.find(':')) == kind;
+    })) << kind;
   }
 }
 
@@ -166,14 +170,16 @@ TEST(Anchors, HertzMomentsAreSimpleFractions) {
 
 /// The closed forms are templates: the bounds of closed_form.hpp in ε hold for each Real.
 template <class Real>
-void expect_promised_precision(const char* law, UnitForces<Real> (*form)(Real) noexcept, UnitForces<Extended> (*exact)(Extended) noexcept) {
+void expect_promised_precision(const char* law, UnitForces<Real> (*form)(Real) noexcept,
+                               UnitForces<Extended> (*exact)(Extended) noexcept) {
   constexpr Extended epsilon = std::numeric_limits<Real>::epsilon();
   const int roundings = std::string(law) == "cone" ? 16 : 8;
   std::mt19937_64 random(41);
   std::uniform_real_distribution<double> decade(-6.0, 6.0);
   std::uniform_real_distribution<double> near_rim(-16.0, -0.3);
   for (int i = 0; i < 4000; ++i) {
-    const double drawn = i % 2 == 0 ? std::pow(10.0, decade(random)) : 1.0 + (i % 4 == 1 ? 1.0 : -1.0) * std::pow(10.0, near_rim(random));
+    const double drawn = i % 2 == 0 ? std::pow(10.0, decade(random))
+                                    : 1.0 + (i % 4 == 1 ? 1.0 : -1.0) * std::pow(10.0, near_rim(random));
     const auto s = static_cast<Real>(drawn);
     const UnitForces<Real> found = form(s);
     const UnitForces<Extended> truth = exact(s);
@@ -201,8 +207,8 @@ TEST(ClosedForms, InDoublePrecision) {
   expect_promised_precision_of_all<double>();
 }
 
-/// The quadrature must not be fooled between the reference's points either: large exponents, whose pressure is all in one place,
-/// and CORs where two levels of the rule happen to agree.
+/// The quadrature must not be fooled between the reference's points either: large exponents, whose pressure is all in
+/// one place, and CORs where two levels of the rule happen to agree.
 TEST(ForcesForLoops, KeepTheirBoundForLargeExponents) {
   for (const char* name : {"xydas-kao:k=30", "xydas-kao:k=1000", "power:n=300", "power:n=1000"}) {
     const Law law = parse_law(name);
@@ -223,7 +229,8 @@ template <class Real>
 void expect_no_number_from_none() {
   namespace form = closed_form;
   constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
-  for (auto* const law : {form::hertz<Real>, form::flat_punch<Real>, form::uniform<Real>, form::parabolic<Real>, form::cone<Real>}) {
+  for (auto* const law :
+       {form::hertz<Real>, form::flat_punch<Real>, form::uniform<Real>, form::parabolic<Real>, form::cone<Real>}) {
     const UnitForces<Real> forces = law(none);
     EXPECT_TRUE(std::isnan(forces.force) && std::isnan(forces.moment) && std::isnan(forces.force_slope));
   }

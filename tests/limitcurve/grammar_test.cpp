@@ -27,8 +27,10 @@ TEST(LawGrammar, EveryExampleParses) {
 }
 
 TEST(LawGrammar, NamedLawsAreMembersOfTheirFamilies) {
-  for (const auto& [named, general] :
-       {std::pair{"hertz", "power:n=0.5"}, {"uniform", "power:n=0"}, {"parabolic", "power:n=1"}, {"flat-punch", "power:n=-0.5"}}) {
+  for (const auto& [named, general] : {std::pair{"hertz", "power:n=0.5"},
+                                       {"uniform", "power:n=0"},
+                                       {"parabolic", "power:n=1"},
+                                       {"flat-punch", "power:n=-0.5"}}) {
     EXPECT_EQ(parse_law(named)->evaluate(0.7).wrench, parse_law(general)->evaluate(0.7).wrench) << named;
   }
 }

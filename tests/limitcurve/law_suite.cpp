@@ -30,7 +30,8 @@ constexpr double lost = accuracy::has_extended ? 0.0 : accuracy::evaluate_by_qua
 /// The law of a string, or one that no string names: a ring-shaped pressure as a function, with a kink.
 Law law_of(const std::string& text) {
   if (text != "function") return parse_law(text);
-  return law_of_function("function", [](Extended rho) { return rho < 0.6L ? 0.2L + rho * rho : 1.4L * (1 - rho); }, {0, 0.6L, 1});
+  return law_of_function("function", [](Extended rho) { return rho < 0.6L ? 0.2L + rho * rho : 1.4L * (1 - rho); },
+                         {0, 0.6L, 1});
 }
 
 class LawSuite : public testing::TestWithParam<std::string> {
@@ -56,7 +57,8 @@ class LawSuite : public testing::TestWithParam<std::string> {
             const bool near_right = complement > 0.0L;
             const long double radius = near_right ? x : left - complement;
             const long double rim = near_right ? (outer - right) + complement : outer - radius;
-            return law_->density(RadialPosition<Extended>{radius, rim}) * std::pow(rim, law_->rim_exponent()) * weight(radius);
+            return law_->density(RadialPosition<Extended>{radius, rim}) * std::pow(rim, law_->rim_exponent()) *
+                   weight(radius);
           },
           left, right, 1e-17L);
     }
@@ -88,7 +90,8 @@ TEST_P(LawSuite, BreaksIncreaseFromTheCentre) {
 
 TEST_P(LawSuite, CarriesUnitLoad) {
   if (!has_witness()) GTEST_SKIP() << "the reference has too few digits where long double is double";
-  EXPECT_NEAR(static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho; }) - 1.0L), 0.0, 1e-15 + lost);
+  EXPECT_NEAR(static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho; }) - 1.0L), 0.0,
+              1e-15 + lost);
 }
 
 TEST_P(LawSuite, PureTwistNeedsTheMeanRadius) {
@@ -117,7 +120,8 @@ TEST_P(LawSuite, PureSlidingNeedsTheWholeForce) {
 /// s → ∞: m ≈ ⟨ρ²⟩/(2s), df/ds ≈ ⟨ρ²⟩/(2s³): in relative terms, where textbook forms have no digit left.
 TEST_P(LawSuite, MomentFarFromTheContactIsThatOfTheMeanSquareRadius) {
   if (!has_witness()) GTEST_SKIP() << "the reference has too few digits where long double is double";
-  const auto mean_square = static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho * rho * rho; }));
+  const auto mean_square =
+      static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho * rho * rho; }));
   for (const double far : {1e8, 1e100}) {
     const double s = far * scale();
     const WrenchEstimate estimate = law_->evaluate(s);
@@ -209,12 +213,15 @@ TEST_P(LawSuite, NothingIsNotANumber) {
     for (const Method method : {Method::automatic, Method::ring, Method::punch}) {
       if (!law_->allows(method)) continue;
       const WrenchEstimate estimate = law_->evaluate(s, method);
-      EXPECT_TRUE(estimate.wrench.force >= 0.0 && estimate.wrench.force <= 1.0 + 2.3e-16 + lost) << to_string(method) << ' ' << s;
-      EXPECT_TRUE(estimate.wrench.moment >= 0.0 && estimate.wrench.moment <= law_->moment_ratio() * (1.0 + 2.3e-16 + lost))
+      EXPECT_TRUE(estimate.wrench.force >= 0.0 && estimate.wrench.force <= 1.0 + 2.3e-16 + lost)
+          << to_string(method) << ' ' << s;
+      EXPECT_TRUE(estimate.wrench.moment >= 0.0 &&
+                  estimate.wrench.moment <= law_->moment_ratio() * (1.0 + 2.3e-16 + lost))
           << to_string(method) << ' ' << s;
       EXPECT_TRUE(estimate.error.force >= 0.0 && estimate.error.force < 1e-12) << to_string(method) << ' ' << s;
       EXPECT_TRUE(estimate.error.moment >= 0.0 && estimate.error.moment < 1e-12) << to_string(method) << ' ' << s;
-      if (!accuracy::has_extended && s > 0.0 && s < std::numeric_limits<double>::min()) continue;  // as pressure_law.hpp says
+      if (!accuracy::has_extended && s > 0.0 && s < std::numeric_limits<double>::min())
+        continue;  // as pressure_law.hpp says
       EXPECT_TRUE(estimate.force_slope >= 0.0 && estimate.force_slope < inf) << to_string(method) << ' ' << s;
     }
   }
@@ -223,9 +230,10 @@ TEST_P(LawSuite, NothingIsNotANumber) {
 /// The grammar's example of every kind of law, and parameters near the ends of their ranges.
 std::vector<std::string> tested_laws() {
   std::vector<std::string> laws(law_examples().begin(), law_examples().end());
-  laws.insert(laws.end(), {"power:n=-0.99", "power:n=-0.6", "power:n=0.25", "power:n=40", "power:n=1000", "xydas-kao:k=0.2",
-                           "xydas-kao:k=1", "xydas-kao:k=1000", "xydas-kao:k=1000000", "gaussian:sigma=0.001", "gaussian:sigma=5",
-                           "mix:1*cone+2*gaussian:sigma=0.4+0.1*xydas-kao:k=3", "function"});
+  laws.insert(laws.end(),
+              {"power:n=-0.99", "power:n=-0.6", "power:n=0.25", "power:n=40", "power:n=1000", "xydas-kao:k=0.2",
+               "xydas-kao:k=1", "xydas-kao:k=1000", "xydas-kao:k=1000000", "gaussian:sigma=0.001", "gaussian:sigma=5",
+               "mix:1*cone+2*gaussian:sigma=0.4+0.1*xydas-kao:k=3", "function"});
   return laws;
 }
 

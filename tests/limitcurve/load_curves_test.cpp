@@ -106,7 +106,8 @@ TEST(MomentCapacity, GrowsAsTheLoadTimesTheRadius) {
   const RadiusLaw radius_law = RadiusLaw::power(0.002, 0.25);
   EXPECT_NEAR(moment_capacity(0.6, radius_law, 0.5, 16.0), 0.6 * 0.5 * 16.0 * 0.002 * 2.0, 1e-17);
   EXPECT_EQ(moment_capacity(0.6, radius_law, 0.5, 0.0), 0.0);
-  EXPECT_NEAR(moment_capacity(0.6, radius_law, 0.5, 32.0) / moment_capacity(0.6, radius_law, 0.5, 2.0), std::pow(16.0, 1.25), 1e-12);
+  EXPECT_NEAR(moment_capacity(0.6, radius_law, 0.5, 32.0) / moment_capacity(0.6, radius_law, 0.5, 2.0),
+              std::pow(16.0, 1.25), 1e-12);
 }
 
 template <class Curve>
@@ -118,7 +119,8 @@ void expect_round_trip(const Curve& curve, const char* what) {
     const RadiusLaw radius_law = RadiusLaw::parse(text);
     for (int i = 0; i < 100; ++i) {
       const double load = std::pow(10.0, decade(random));
-      const LoadPoint point = load_point(curve, {mu, radius_law}, load, std::tan(angle(random)) * radius_law.radius(load));
+      const LoadPoint point =
+          load_point(curve, {mu, radius_law}, load, std::tan(angle(random)) * radius_law.radius(load));
       EXPECT_NEAR(load_to_hold(curve, {mu, radius_law}, point.force, point.moment) / load, 1.0, 1e-12)
           << what << ' ' << text << ' ' << load << ' ' << point.cor;
     }
@@ -159,8 +161,8 @@ TEST(LoadToHold, IsWhatBisectionFinds) {
 
 TEST(LoadToHold, IsWhatBisectionFindsForASampledRadius) {
   // Measured radii may even shrink a little.
-  expect_bisection(
-      RadiusLaw::sampled(std::array{LoadSample{0.5, 0.0021}, LoadSample{2.0, 0.0029}, LoadSample{3.0, 0.0028}, LoadSample{9.0, 0.0035}}));
+  expect_bisection(RadiusLaw::sampled(
+      std::array{LoadSample{0.5, 0.0021}, LoadSample{2.0, 0.0029}, LoadSample{3.0, 0.0028}, LoadSample{9.0, 0.0035}}));
 }
 
 TEST(LoadToHold, NeedsNoRadiusWhereTheMomentCoefficientIsKnown) {
@@ -172,11 +174,13 @@ TEST(LoadToHold, NeedsNoRadiusWhereTheMomentCoefficientIsKnown) {
       for (const LoadPoint& point : p_curve(curve, contact, load, 9)) {
         const double held = load_to_hold(curve, contact, point.force, point.moment);
         EXPECT_NEAR(held / load, 1.0, 1e-12) << gamma << ' ' << load;
-        for (const double sign : {-1.0, 1.0}) EXPECT_EQ(load_to_hold(curve, contact, -point.force, sign * point.moment), held);
+        for (const double sign : {-1.0, 1.0})
+          EXPECT_EQ(load_to_hold(curve, contact, -point.force, sign * point.moment), held);
       }
     }
     for (const LoadPoint& point : p_curve(curve, contact, 0.0, 5)) EXPECT_EQ(point.force + point.moment, 0.0);
-    EXPECT_TRUE(std::isnan(load_to_hold(curve, contact, std::nan(""), 1.0)) && std::isnan(load_to_hold(curve, contact, inf, std::nan(""))));
+    EXPECT_TRUE(std::isnan(load_to_hold(curve, contact, std::nan(""), 1.0)) &&
+                std::isnan(load_to_hold(curve, contact, inf, std::nan(""))));
     EXPECT_EQ(load_to_hold(curve, contact, -inf, 1.0), inf);
   }
   EXPECT_EQ(load_to_hold(curve, {.mu = mu, .mu_r = 0.0}, 1.0, 1e-9), inf);
@@ -218,10 +222,12 @@ TEST(LoadCurves, RefuseBadInput) {
     expect_mention(complaint([&] { load_point(curve, {mu, radius_law}, bad, 1.0); }), "load = ");
     expect_mention(complaint([&] { load_to_hold(curve, {bad, radius_law}, 1.0, 0.0); }), "mu = ");
     expect_mention(complaint([&] { load_to_hold(curve, {.mu = mu, .mu_r = bad}, 1.0, 0.0); }), "mu_r = ");
-    expect_mention(complaint([&] { load_to_hold(curve, {.mu = mu, .mu_r = 0.1, .gamma = 3.0 + bad}, 1.0, 0.0); }), "gamma = ");
+    expect_mention(complaint([&] { load_to_hold(curve, {.mu = mu, .mu_r = 0.1, .gamma = 3.0 + bad}, 1.0, 0.0); }),
+                   "gamma = ");
     expect_mention(complaint([&] { moment_capacity(bad, radius_law, mu, 1.0); }), "moment_ratio = ");
   }
-  expect_mention(complaint([&] { load_to_hold(curve, {.mu = mu, .radius_law = radius_law, .mu_r = 0.1}, 1.0, 0.0); }), "both");
+  expect_mention(complaint([&] { load_to_hold(curve, {.mu = mu, .radius_law = radius_law, .mu_r = 0.1}, 1.0, 0.0); }),
+                 "both");
   expect_mention(complaint([&] { load_to_hold(curve, {.mu = mu}, 1.0, 0.0); }), "none of radius_law and mu_r");
   expect_mention(complaint([&] { load_to_hold(curve, {.mu = 0.0, .mu_r = 0.1}, 1.0, 0.0); }), "0 where mu is 0");
   expect_mention(complaint([&] { load_point(curve, {mu, radius_law}, 1.0, -1.0); }), "cor = -1 m");

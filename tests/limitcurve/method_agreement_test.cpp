@@ -34,7 +34,8 @@ class RandomCases {
       case 2:
         return power(-1.0 + log_uniform(1e-3, 0.5));
       case 3:
-        return mixture(std::array<std::pair<double, Law>, 2>{{{uniform(0.1, 1.0), hertz()}, {uniform(0.1, 1.0), uniform_or_punch()}}});
+        return mixture(std::array<std::pair<double, Law>, 2>{
+            {{uniform(0.1, 1.0), hertz()}, {uniform(0.1, 1.0), uniform_or_punch()}}});
       case 4:
         return std::array{hertz(), limitcurve::uniform(), parabolic(), flat_punch()}[random_() % 4];
       default:
@@ -94,13 +95,15 @@ TEST(MethodAgreement, ClosedRingAndPunch) {
 /// Where there is no closed form, the rule and the elliptic integrals of a library, which share no integral with ours.
 TEST(MethodAgreement, BoostAndRing) {
   RandomCases cases(4);
-  const Law profile = samples(std::array<PressureSample, 5>{{{0.0, 1.0}, {0.3, 2.0}, {0.5, 1.5}, {0.8, 1.0}, {1.0, 0.0}}}, "profile");
+  const Law profile =
+      samples(std::array<PressureSample, 5>{{{0.0, 1.0}, {0.3, 2.0}, {0.5, 1.5}, {0.8, 1.0}, {1.0, 0.0}}}, "profile");
   for (int i = 0; i < study_cases(3000, 300); ++i) {
     const Law law = i % 20 == 0 ? profile : xydas_kao(cases.log_uniform(0.01, 1e6));
     const double s = i % 9 == 0 ? cases.log_uniform(1e-300, 1e300) : cases.cor();
     expect_agreement(law, s, Method::ring, Method::boost);
   }
-  for (const double s : {0.0, std::numeric_limits<double>::infinity()}) expect_agreement(hertz(), s, Method::automatic, Method::boost);
+  for (const double s : {0.0, std::numeric_limits<double>::infinity()})
+    expect_agreement(hertz(), s, Method::automatic, Method::boost);
   EXPECT_TRUE(std::isnan(hertz()->evaluate(std::numeric_limits<double>::quiet_NaN(), Method::boost).wrench.force));
 }
 
@@ -117,7 +120,8 @@ TEST(MethodAgreement, DirectAndTheRest) {
 
 /// Both sides of each switch between branches: the value does not jump by more than the curve moves.
 TEST(MethodAgreement, BranchesMeet) {
-  for (const Law& law : {hertz(), uniform(), parabolic(), flat_punch(), cone(), gaussian(0.4), power(2.3), power(-0.8)}) {
+  for (const Law& law :
+       {hertz(), uniform(), parabolic(), flat_punch(), cone(), gaussian(0.4), power(2.3), power(-0.8)}) {
     // The rim; s² = 2, where the series takes over; and x² = (s/2σ)² = 40, where the Gaussian goes asymptotic.
     for (const double at : {1.0, std::sqrt(2.0), 0.8 * std::sqrt(40.0)}) {
       const double below = std::nextafter(at, 0.0);

@@ -61,8 +61,8 @@ TEST(Number, BeyondTheRangeIsTheNearestDouble) {
 }
 
 TEST(Number, RefusesWhatIsNotOneNumber) {
-  for (const char* text :
-       {"", " ", "1 ", " 1", "1,5", "1.5m", "0x10", "--1", "+-1", "++1", "1e", "e5", ".", "+", "-", "1 2", "1\n", "nanx"}) {
+  for (const char* text : {"", " ", "1 ", " 1", "1,5", "1.5m", "0x10", "--1", "+-1", "++1", "1e", "e5", ".", "+", "-",
+                           "1 2", "1\n", "nanx"}) {
     EXPECT_FALSE(parse_number(text)) << '"' << text << '"';
   }
 }

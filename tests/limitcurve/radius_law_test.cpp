@@ -58,7 +58,8 @@ TEST(SampledRadiusLaw, MeetsItsSamplesAndIsAPowerBetween) {
 
 TEST(SampledRadiusLaw, FindsTheLoadOfAMoment) {
   const RadiusLaw law = RadiusLaw::sampled(measured);
-  for (const double load : {1e-3, 0.4, 0.7, 2.0, 5.0, 100.0}) EXPECT_NEAR(law.load_of_product(load * law.radius(load)) / load, 1.0, 1e-13);
+  for (const double load : {1e-3, 0.4, 0.7, 2.0, 5.0, 100.0})
+    EXPECT_NEAR(law.load_of_product(load * law.radius(load)) / load, 1.0, 1e-13);
 }
 
 TEST(SampledRadiusLaw, IsThatOfTheMomentsItIsMadeOf) {
@@ -68,7 +69,8 @@ TEST(SampledRadiusLaw, IsThatOfTheMomentsItIsMadeOf) {
   const RadiusLaw law = RadiusLaw::of_moments(moments, mu, moment_ratio);
   for (const LoadSample& sample : moments)
     EXPECT_NEAR(moment_ratio * mu * sample.load * law.radius(sample.load) / sample.value, 1.0, 1e-14);
-  EXPECT_NEAR(moment_ratio * mu * 7.0 * RadiusLaw::of_mu_r(0.003, 0.0, mu, moment_ratio).radius(7.0), 0.003 * 7.0, 1e-16);
+  EXPECT_NEAR(moment_ratio * mu * 7.0 * RadiusLaw::of_mu_r(0.003, 0.0, mu, moment_ratio).radius(7.0), 0.003 * 7.0,
+              1e-16);
 }
 
 TEST(SampledRadiusLaw, RefusesWhatIsNoLaw) {
@@ -108,7 +110,8 @@ TEST(RadiusLaw, SaysWhatIsWrong) {
                                     {"power:c=0.002,gamma=0.2 ", "got '0.2 '"}}) {
     const std::string complaint = complaint_about(text);
     EXPECT_NE(complaint.find(place), std::string::npos) << text << " -> " << complaint;
-    EXPECT_NE(complaint.find(std::string("radius law '") + text + "'"), std::string::npos) << text << " -> " << complaint;
+    EXPECT_NE(complaint.find(std::string("radius law '") + text + "'"), std::string::npos)
+        << text << " -> " << complaint;
   }
 }
 

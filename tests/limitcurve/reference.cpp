@@ -25,7 +25,8 @@ std::vector<ReferenceRow> read_rows() {
   for (int number = 1; std::getline(file, line); ++number) {
     if (line.empty() || line[0] == '#') continue;
     if (!header_seen) {
-      if (line != "law,c_over_a,force,moment,force_slope") throw std::runtime_error(path + ": unexpected header: " + line);
+      if (line != "law,c_over_a,force,moment,force_slope")
+        throw std::runtime_error(path + ": unexpected header: " + line);
       header_seen = true;
       continue;
     }
@@ -36,7 +37,8 @@ std::vector<ReferenceRow> read_rows() {
     const auto number_in = [&](std::size_t i) {
       char* end = nullptr;
       const long double value = std::strtold(cells[i].c_str(), &end);
-      if (cells[i].empty() || *end != '\0') throw std::runtime_error(path + ":" + std::to_string(number) + ": not a number: " + cells[i]);
+      if (cells[i].empty() || *end != '\0')
+        throw std::runtime_error(path + ":" + std::to_string(number) + ": not a number: " + cells[i]);
       return value;
     };
     rows.push_back({cells[0], std::strtod(cells[1].c_str(), nullptr), number_in(2), number_in(3), number_in(4)});
@@ -62,7 +64,8 @@ std::vector<std::string> reference_laws() {
 
 LoopBounds loop_bounds(const PressureLaw& law, double s) {
   const std::string name = law.name();
-  const bool elementary = name == "hertz" || name == "uniform" || name == "parabolic" || name == "flat-punch" || name == "cone";
+  const bool elementary =
+      name == "hertz" || name == "uniform" || name == "parabolic" || name == "flat-punch" || name == "cone";
   if (elementary || name.starts_with("gaussian:")) return {accuracy::forces_closed, 1e-13};
   // A pressure steeper than rim^(−½) gives the slope a cusp at the rim, where one rounding of s moves it that much.
   if (law.rim_exponent() < -0.5L && std::fabs(s - 1.0) < 1e-6) return {accuracy::forces_by_quadrature, 1e-2};

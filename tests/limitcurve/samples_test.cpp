@@ -37,7 +37,8 @@ std::vector<PressureSample> sampled(Profile&& profile, std::size_t count, double
   for (std::size_t i = 0; i < count; ++i) {
     const double even = static_cast<double>(i) / static_cast<double>(count - 1);
     const double radius = even + 0.05 * std::sin(3.0 * 3.14159265358979 * even) / 3.0;
-    result.push_back({4.2 * radius, 17.0 * profile(std::min(radius, 1.0)) + (noise > 0.0 ? noise * error(random) : 0.0)});
+    result.push_back(
+        {4.2 * radius, 17.0 * profile(std::min(radius, 1.0)) + (noise > 0.0 ? noise * error(random) : 0.0)});
   }
   return result;
 }
@@ -79,7 +80,8 @@ TEST(Samples, RowsWithoutPressureAtTheEndAreNoContact) {
       }
     }
   }
-  const std::vector<std::vector<PressureSample>> none{{{0, 0}, {1, 0}, {2, 0}, {3, 0}}, {{0, 1}, {0, 0}, {1, 0}, {2, 0}}};
+  const std::vector<std::vector<PressureSample>> none{{{0, 0}, {1, 0}, {2, 0}, {3, 0}},
+                                                      {{0, 1}, {0, 0}, {1, 0}, {2, 0}}};
   for (const auto& one : none) EXPECT_THROW(samples(one, "none.csv"), std::invalid_argument);
 }
 
@@ -185,7 +187,8 @@ TEST(Samples, ARunOfTwoSamplesHasAnErrorToo) {
   const auto curved = [](Extended r) { return r < 0.5 ? 2.0 - 2.0 * r * r : 2.0 - r * (1.0 + r); };
   expect_within_stated_error(*samples(jump, "jump.csv"), *test::law_of_function("curved", curved, {0, 0.5L, 1}), 0.65);
   const auto early = [](Extended r) { return r < 0.5 ? (r < 0.01 ? 2.0 : 1.5) : (r < 0.51 ? 1.0 : 1e-9); };
-  expect_within_stated_error(*samples(jump, "jump.csv"), *test::law_of_function("early", early, {0, 0.01L, 0.5L, 0.51L, 1}), 0.65);
+  expect_within_stated_error(*samples(jump, "jump.csv"),
+                             *test::law_of_function("early", early, {0, 0.01L, 0.5L, 0.51L, 1}), 0.65);
 }
 
 double hertz_pressure(double r) {
@@ -223,7 +226,8 @@ TEST(Samples, ASampleChangesAWrenchByNoMoreThanItsShareOfTheLoadIfTheSizeIsNamed
       for (const auto& [law, unit] : {std::pair(named, 6.0), std::pair(own, own->rim())}) {
         const UnitWrench after = law->evaluate(c / unit).wrench;
         EXPECT_LE(std::fabs(after.force - before.force), 1.001 * share + 1e-12) << row << ' ' << c;
-        EXPECT_LE(std::fabs(unit * after.moment - 6.0 * before.moment), 1.001 * share * std::max(radius, mean) + 1e-12) << row << ' ' << c;
+        EXPECT_LE(std::fabs(unit * after.moment - 6.0 * before.moment), 1.001 * share * std::max(radius, mean) + 1e-12)
+            << row << ' ' << c;
       }
     }
   }
@@ -279,8 +283,10 @@ TEST(Samples, SayWhatIsOddAboutThem) {
   EXPECT_EQ(remark(rows), "");
   EXPECT_EQ(remark(rows, 6.0), "");
   rows[40].pressure = 0.004;
-  EXPECT_NE(remark(rows).find("warning: p.csv: the mean radius of its load is 3.55,"), std::string::npos) << remark(rows);
-  EXPECT_NE(remark(rows, 6.0).find("note: p.csv: 0.45 % of the load and 2.5 % of the moment"), std::string::npos) << remark(rows, 6.0);
+  EXPECT_NE(remark(rows).find("warning: p.csv: the mean radius of its load is 3.55,"), std::string::npos)
+      << remark(rows);
+  EXPECT_NE(remark(rows, 6.0).find("note: p.csv: 0.45 % of the load and 2.5 % of the moment"), std::string::npos)
+      << remark(rows, 6.0);
   EXPECT_EQ(remark({{0, 3}, {1, 2.5}, {2, 2}, {3, 1}, {4, 0}}),
             "note: p.csv: 5 samples are too few to estimate the error between them; expected 7 or more\n");
 }
@@ -289,7 +295,8 @@ TEST(Samples, PureSlidingIsExactAndNoErrorExceedsWhatProfilesCanDiffer) {
   const std::array<PressureSample, 4> ring{{{0.0, 0.0}, {0.0599, 0.0}, {0.06, 1.0}, {0.065, 1.0}}};
   for (const Law& law : {samples(ring, "ring.csv"), samples(sampled(hertz_pressure, 30, 0.5), "noisy.csv")}) {
     const UnitWrench slide = law->evaluate(std::numeric_limits<double>::infinity()).error;
-    EXPECT_LE(slide.force, accuracy::has_extended ? std::numeric_limits<double>::epsilon() : accuracy::evaluate_by_quadrature);
+    EXPECT_LE(slide.force,
+              accuracy::has_extended ? std::numeric_limits<double>::epsilon() : accuracy::evaluate_by_quadrature);
     EXPECT_LE(slide.moment, 1e-300);
     for (const double s : cors) {
       const WrenchEstimate estimate = law->evaluate(s);
@@ -300,8 +307,9 @@ TEST(Samples, PureSlidingIsExactAndNoErrorExceedsWhatProfilesCanDiffer) {
   }
 }
 
-// Radii even, uneven, and close together at the centre but far apart at the rim: a narrow gap beside a wide one tells nothing about the wide one.
-// In one of the first hundred the changes of load cancel: an estimate by their sum alone is 0.63 of the true error.
+// Radii even, uneven, and close together at the centre but far apart at the rim: a narrow gap beside a wide one tells
+// nothing about the wide one. In one of the first hundred the changes of load cancel: an estimate by their sum alone is
+// 0.63 of the true error.
 TEST(Samples, OfRandomLawsStateNoErrorBelowTheTrueOne) {
   std::mt19937_64 random(140);
   const auto number = [&random] { return std::generate_canonical<double, 53>(random); };
@@ -328,8 +336,10 @@ TEST(Samples, OfRandomLawsStateNoErrorBelowTheTrueOne) {
     for (const double s : {0.0, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0, 1.3, 3.0, 20.0}) {
       const WrenchEstimate estimate = law->evaluate(s);
       const UnitForces<double> exact = truth->forces(s);
-      EXPECT_NEAR(estimate.wrench.force, exact.force, estimate.error.force + 1e-12) << n << ' ' << rows.size() << ' ' << s;
-      EXPECT_NEAR(estimate.wrench.moment, exact.moment, estimate.error.moment + 1e-12) << n << ' ' << rows.size() << ' ' << s;
+      EXPECT_NEAR(estimate.wrench.force, exact.force, estimate.error.force + 1e-12)
+          << n << ' ' << rows.size() << ' ' << s;
+      EXPECT_NEAR(estimate.wrench.moment, exact.moment, estimate.error.moment + 1e-12)
+          << n << ' ' << rows.size() << ' ' << s;
     }
   }
 }
@@ -357,7 +367,8 @@ TEST(Samples, TheLoadToHoldIsOffByNoMoreThanItsStatedError) {
 }
 
 TEST(Samples, TheInterpolantDoesNotOvershoot) {
-  const std::array<PressureSample, 7> profile{{{0.0, 0.0}, {0.2, 0.0}, {0.25, 1.0}, {0.3, 1.0}, {0.7, 1.0}, {0.75, 0.1}, {1.0, 0.0}}};
+  const std::array<PressureSample, 7> profile{
+      {{0.0, 0.0}, {0.2, 0.0}, {0.25, 1.0}, {0.3, 1.0}, {0.7, 1.0}, {0.75, 0.1}, {1.0, 0.0}}};
   const Law law = samples(profile, "steps.csv");
   const double top = law->density(RadialPosition<double>{0.5, 0.5});
   for (int i = 0; i <= 1000; ++i) {
@@ -440,7 +451,8 @@ TEST(Table, FollowsJumpsInsideTheContact) {
     std::sort(places.begin(), places.end());
     std::vector<PressureSample> profile;
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-      for (int k = 0; k <= 3; ++k) profile.push_back({std::lerp(places[i], places[i + 1], k / 3.0), 0.2 + uniformly(generator)});
+      for (int k = 0; k <= 3; ++k)
+        profile.push_back({std::lerp(places[i], places[i + 1], k / 3.0), 0.2 + uniformly(generator)});
     }
     const Law law = samples(profile, "jumps");
     const Table table = Table::build(law, 1e-10);
@@ -450,8 +462,9 @@ TEST(Table, FollowsJumpsInsideTheContact) {
     for (int i = 0; i < 400; ++i) {
       // Half of them next to a jump.
       const double place = places[1 + static_cast<std::size_t>(i) % (places.size() - 2)];
-      const double s = i % 2 == 0 ? std::tan(1.57 * uniformly(generator))
-                                  : place * (1.0 + (uniformly(generator) - 0.5) * std::pow(10.0, -9.0 * uniformly(generator)));
+      const double s = i % 2 == 0
+                           ? std::tan(1.57 * uniformly(generator))
+                           : place * (1.0 + (uniformly(generator) - 0.5) * std::pow(10.0, -9.0 * uniformly(generator)));
       const UnitForces<double> exact = law->forces(s);
       const UnitWrench found = table.wrench(SlipTwist::about_cor(s));
       worst = std::max({worst, std::fabs(found.force - exact.force), std::fabs(found.moment - exact.moment)});

@@ -73,7 +73,8 @@ void expect_convex_and_smooth(const BasicTable<Real>& table) {
       const double scale = std::max(table.force_max(), table.force_max() * table.moment_ratio());
       EXPECT_NEAR(here.value(x), there.value(before), step * std::fabs(double{here.leading}) + 8 * epsilon * scale)
           << outside << ' ' << side[i].x;
-      EXPECT_NEAR(here.leading, there.leading, 2 * step * double{std::max(here.second, there.second)} + 8 * epsilon * scale)
+      EXPECT_NEAR(here.leading, there.leading,
+                  2 * step * double{std::max(here.second, there.second)} + 8 * epsilon * scale)
           << outside << ' ' << x;
     }
   }

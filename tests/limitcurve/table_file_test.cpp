@@ -101,9 +101,13 @@ TEST_P(TableFileSuite, StatesTheErrorOfLinesBetweenRows) {
       if (!outside && line.rfind("inside,", 0) != 0) continue;
       if (!before.empty() && before[0] == line[0]) {
         for (int i = 0; i <= 100; ++i) {
-          const auto between = [&](std::size_t of) { return column(before, of) + i / 100.0 * (column(line, of) - column(before, of)); };
+          const auto between = [&](std::size_t of) {
+            return column(before, of) + i / 100.0 * (column(line, of) - column(before, of));
+          };
           const double x = between(0);
-          const UnitForces<double> exact = law->forces(!outside ? x : x > 0.0 ? 1.0 / x : std::numeric_limits<double>::infinity());
+          const UnitForces<double> exact = law->forces(!outside  ? x
+                                                       : x > 0.0 ? 1.0 / x
+                                                                 : std::numeric_limits<double>::infinity());
           worst = std::max({worst, std::fabs(between(1) - exact.force), std::fabs(between(2) - exact.moment)});
         }
       }
@@ -114,7 +118,8 @@ TEST_P(TableFileSuite, StatesTheErrorOfLinesBetweenRows) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, TableFileSuite, testing::Values("hertz", "uniform", "flat-punch", "cone", "gaussian:sigma=2"),
+INSTANTIATE_TEST_SUITE_P(Laws, TableFileSuite,
+                         testing::Values("hertz", "uniform", "flat-punch", "cone", "gaussian:sigma=2"),
                          [](const testing::TestParamInfo<const char*>& tested) {
                            std::string name = tested.param;
                            std::replace_if(
@@ -125,7 +130,8 @@ INSTANTIATE_TEST_SUITE_P(Laws, TableFileSuite, testing::Values("hertz", "uniform
 TEST(TableFile, EveryTornPrefixIsRefusedByPlace) {
   const std::string text = to_csv(Table::build(hertz(), 1e-2));
   for (std::size_t length = 0; length < text.size(); ++length) {
-    EXPECT_EQ(complaint_about_table(text.substr(0, length)).rfind("torn.csv:", 0), 0U) << "first " << length << " bytes";
+    EXPECT_EQ(complaint_about_table(text.substr(0, length)).rfind("torn.csv:", 0), 0U)
+        << "first " << length << " bytes";
   }
 }
 
@@ -153,7 +159,8 @@ TEST(TableFile, EveryFactIsHeldByTheChecksum) {
     std::string edited = text;
     const std::size_t value = edited.find(prefix) + prefix.size();
     edited.replace(value, edited.find('\n', value) - value, "7");
-    EXPECT_TRUE(has(complaint_about_table(edited), "edited or damaged")) << fact << ": " << complaint_about_table(edited);
+    EXPECT_TRUE(has(complaint_about_table(edited), "edited or damaged"))
+        << fact << ": " << complaint_about_table(edited);
   }
 }
 
@@ -165,35 +172,44 @@ TEST(TableFile, TheErrorOfAProfileIsHeldByTheChecksumToo) {
   EXPECT_EQ(read_table_csv(text, "table.csv").profile_error(), table.profile_error());
   const std::size_t line = text.find("# profile_error: ");
   std::string edited = text;
-  EXPECT_TRUE(has(complaint_about_table(edited.replace(line, text.find('\n', line) - line, "# profile_error: 0")), "edited or damaged"));
+  EXPECT_TRUE(has(complaint_about_table(edited.replace(line, text.find('\n', line) - line, "# profile_error: 0")),
+                  "edited or damaged"));
   edited = text;
-  EXPECT_TRUE(has(complaint_about_table(edited.erase(line, text.find('\n', line) + 1 - line)), "expected '# profile_error: …'"));
+  EXPECT_TRUE(has(complaint_about_table(edited.erase(line, text.find('\n', line) + 1 - line)),
+                  "expected '# profile_error: …'"));
 }
 
 TEST(TableFile, NamesWhatIsWrongAndWhere) {
-  EXPECT_EQ(complaint_about_table("a,b\n1,2\n"), "torn.csv:1:1: not a table: expected the first line '# limitcurve table, format 2'");
+  EXPECT_EQ(complaint_about_table("a,b\n1,2\n"),
+            "torn.csv:1:1: not a table: expected the first line '# limitcurve table, format 2'");
   const std::string text = to_csv(Table::build(hertz(), 1e-3));
-  EXPECT_TRUE(has(complaint_about_table("# limitcurve table, format 21" + text.substr(text.find('\n'))), "torn.csv:1:1: not a table"));
+  EXPECT_TRUE(has(complaint_about_table("# limitcurve table, format 21" + text.substr(text.find('\n'))),
+                  "torn.csv:1:1: not a table"));
   const std::size_t header = text.find("side,x");
-  const std::string line = std::to_string(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(header), '\n') + 2);
+  const std::string line =
+      std::to_string(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(header), '\n') + 2);
   const auto with = [&](std::string_view from, std::string_view to) {
     std::string edited = text;
     return edited.replace(edited.find(from), from.size(), to);
   };
-  EXPECT_EQ(complaint_about_table(with("inside,0,0,", "inside,0,x,")), "torn.csv:" + line + ":10: expected a number, got 'x'");
-  EXPECT_EQ(complaint_about_table(with("inside,0,", "aside,0,")), "torn.csv:" + line + ":1: expected inside or outside, got 'aside'");
-  EXPECT_EQ(complaint_about_table(with("# octaves: ", "# octaves: 1.5x")).rfind("torn.csv:6:12: expected a whole number, got '1.5x", 0),
+  EXPECT_EQ(complaint_about_table(with("inside,0,0,", "inside,0,x,")),
+            "torn.csv:" + line + ":10: expected a number, got 'x'");
+  EXPECT_EQ(complaint_about_table(with("inside,0,", "aside,0,")),
+            "torn.csv:" + line + ":1: expected inside or outside, got 'aside'");
+  EXPECT_EQ(complaint_about_table(with("# octaves: ", "# octaves: 1.5x"))
+                .rfind("torn.csv:6:12: expected a whole number, got '1.5x", 0),
             0U);
   EXPECT_TRUE(has(complaint_about_table(with("side,x,", "side,y,")), "expected the header side,x,force,moment,c0"));
-  EXPECT_TRUE(
-      has(complaint_about_table(with("# law: hertz", "# law: cone")), "torn.csv: the table was edited or damaged: its checksum is fnv1a:"));
+  EXPECT_TRUE(has(complaint_about_table(with("# law: hertz", "# law: cone")),
+                  "torn.csv: the table was edited or damaged: its checksum is fnv1a:"));
 }
 
 TEST(TableFile, RefusesTheOldKeyOfTheErrorWithTheCommandThatMakesTheTableAnew) {
   std::string text = to_csv(Table::build(hertz(), 1e-4));
   text.replace(text.find("# checked_error"), 15, "# certified_error");
   EXPECT_EQ(complaint_about_table(text),
-            "torn.csv:4:3: 'certified_error' is now 'checked_error': make the table anew with limitcurve table --law hertz --tolerance "
+            "torn.csv:4:3: 'certified_error' is now 'checked_error': make the table anew with limitcurve table --law "
+            "hertz --tolerance "
             "1e-04 -o FILE");
 }
 

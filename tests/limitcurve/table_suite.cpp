@@ -98,18 +98,21 @@ TEST_P(TableSuite, IsMadeAgainOfItsCells) {
 }
 
 TEST_P(TableSuite, IsSmall) {
-  for (const Table& table : tables_) EXPECT_LE(table.bytes(), table.tolerance() >= 1e-8 ? 16384U : 65536U) << table.tolerance();
+  for (const Table& table : tables_)
+    EXPECT_LE(table.bytes(), table.tolerance() >= 1e-8 ? 16384U : 65536U) << table.tolerance();
 }
 
 std::vector<TableCase> cases() {
   std::vector<TableCase> all;
-  for (const char* law : {"hertz", "uniform", "parabolic", "flat-punch", "cone", "gaussian:sigma=0.4", "gaussian:sigma=1e-3",
-                          "gaussian:sigma=1e3", "mix:0.7*hertz+0.3*uniform"}) {  // quick at every tolerance
+  for (const char* law :
+       {"hertz", "uniform", "parabolic", "flat-punch", "cone", "gaussian:sigma=0.4", "gaussian:sigma=1e-3",
+        "gaussian:sigma=1e3", "mix:0.7*hertz+0.3*uniform"}) {  // quick at every tolerance
     all.push_back({law, {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}});
   }
   std::vector<std::string_view> slower{"power:n=1000", "power:n=-0.9", "xydas-kao:k=0.1", "xydas-kao:k=20"};
   for (const std::string_view law : law_examples()) {
-    if (std::none_of(all.begin(), all.end(), [&](const TableCase& known) { return known.law == law; })) slower.push_back(law);
+    if (std::none_of(all.begin(), all.end(), [&](const TableCase& known) { return known.law == law; }))
+      slower.push_back(law);
   }
   for (const std::string_view law : slower) all.push_back({std::string(law), {1e-1, 1e-2, 1e-4, 1e-8, 1e-10}});
   return all;

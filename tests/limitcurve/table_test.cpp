@@ -36,12 +36,13 @@ using test::inf;
 using test::nan;
 using test::worst_error;
 
-/// At 1e-14 the rounding of s = c/a in `forces` counts; the reference has the ratio exactly, and the rounding to double of its own. Where long
-/// double is double, its rounding is more than 1e-14: that tolerance is refused.
+/// At 1e-14 the rounding of s = c/a in `forces` counts; the reference has the ratio exactly, and the rounding to double
+/// of its own. Where long double is double, its rounding is more than 1e-14: that tolerance is refused.
 TEST(Table, ReachesTheFinestTolerance) {
   constexpr double finest = accuracy::has_extended ? Table::finest_tolerance : 5e-14;
   constexpr double rounding = accuracy::has_extended ? 2e-16 : accuracy::evaluate_by_quadrature;
-  for (const char* name : {"hertz", "uniform", "flat-punch", "cone", "gaussian:sigma=0.4", "mix:0.7*hertz+0.3*uniform", "power:n=2.3"}) {
+  for (const char* name :
+       {"hertz", "uniform", "flat-punch", "cone", "gaussian:sigma=0.4", "mix:0.7*hertz+0.3*uniform", "power:n=2.3"}) {
     const Law law = parse_law(name);
     if (!accuracy::has_extended) {
       EXPECT_THROW(Table::build(law, Table::finest_tolerance), std::runtime_error) << name;
@@ -71,7 +72,8 @@ TEST(Table, HasTheLowestDegreeWithinItsBudget) {
         const Table table = Table::build(law, tolerance, {.preferred_bytes = bytes});
         EXPECT_TRUE(table.degree() == 6 || table.bytes() <= bytes) << name << ' ' << tolerance << ' ' << bytes;
         EXPECT_LE(table.degree(), last);
-        EXPECT_LE(table.pieces().halvings, steps) << name << ' ' << tolerance << ' ' << bytes;  // a search takes longer than all degrees
+        EXPECT_LE(table.pieces().halvings, steps)
+            << name << ' ' << tolerance << ' ' << bytes;  // a search takes longer than all degrees
         EXPECT_GE(table.bytes(), more);
         EXPECT_EQ(table.degree(), Table(TableFacts{"again", tolerance, table.checked_error()}, table.cells()).degree());
         EXPECT_LE(worst_error(table, exact_of(law), 300), table.checked_error() + 2e-16);
@@ -91,7 +93,8 @@ TEST(Table, ManyLookUpsGiveTheBitsOfSingleOnes) {
   std::normal_distribution<double> normal;
   std::vector<SlipTwist> twists{{0, 0},  {nan, 1}, {1, nan}, {inf, 1},        {0, inf},        {inf, inf},
                                 {0, -1}, {-1, 0},  {1, 1},   {5e-324, 1e308}, {1e-200, 2e-200}};
-  while (twists.size() < 1003) twists.push_back({std::exp(3 * normal(random)) * (random() % 2 ? 1 : -1), normal(random)});
+  while (twists.size() < 1003)
+    twists.push_back({std::exp(3 * normal(random)) * (random() % 2 ? 1 : -1), normal(random)});
   for (const double tolerance : {1e-3, 1e-8, 1e-10, 1e-13}) {
     for (const char* name : {"hertz", "xydas-kao:k=0.3"}) {
       if (name[0] == 'x' && tolerance < 1e-9) continue;
@@ -100,7 +103,8 @@ TEST(Table, ManyLookUpsGiveTheBitsOfSingleOnes) {
       table.wrench(twists, wrenches);
       std::vector<UnitWrench> directions;
       const auto same = [](double one, double other) {
-        return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other) || (std::isnan(one) && std::isnan(other));
+        return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other) ||
+               (std::isnan(one) && std::isnan(other));
       };
       for (std::size_t i = 0; i < twists.size(); ++i) {
         const UnitWrench single = table.wrench(twists[i]);
@@ -110,13 +114,15 @@ TEST(Table, ManyLookUpsGiveTheBitsOfSingleOnes) {
       }
       std::vector<double> gauges(directions.size());
       table.gauge(directions, gauges);
-      for (std::size_t i = 0; i < directions.size(); ++i) ASSERT_TRUE(same(gauges[i], table.gauge(directions[i]))) << name << ' ' << i;
+      for (std::size_t i = 0; i < directions.size(); ++i)
+        ASSERT_TRUE(same(gauges[i], table.gauge(directions[i]))) << name << ' ' << i;
     }
   }
 }
 
 TEST(Table, CheckedErrorHoldsBetweenRepresentablePlaces) {
-  // At twists (slide, spin), whose quotient rounds: the slope of the curve is steep where pressures are concentrated at the centre.
+  // At twists (slide, spin), whose quotient rounds: the slope of the curve is steep where pressures are concentrated at
+  // the centre.
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (const char* name : {"gaussian:sigma=1e-6", "xydas-kao:k=0.05"}) {
@@ -127,8 +133,8 @@ TEST(Table, CheckedErrorHoldsBetweenRepresentablePlaces) {
       const SlipTwist twist{std::pow(10.0, -12.0 * unit(random)), unit(random)};
       const auto exact = law->unrounded(Extended(twist.slide) / twist.spin, Slope::unwanted).forces;
       const UnitWrench read = table.wrench(twist);
-      worst = std::max(
-          {worst, std::fabs(static_cast<double>(read.force - exact.force)), std::fabs(static_cast<double>(read.moment - exact.moment))});
+      worst = std::max({worst, std::fabs(static_cast<double>(read.force - exact.force)),
+                        std::fabs(static_cast<double>(read.moment - exact.moment))});
     }
     EXPECT_LE(worst, table.checked_error()) << name;
   }
@@ -142,11 +148,13 @@ struct NamedCurve {
 
 TEST(Table, TakesAnyCurveWhoseNormalTurnsSmoothly) {
   const auto named = [](const char* name, const auto& curve, double tolerance) {
-    return NamedCurve{name, [curve](SlipTwist twist) { return curve.wrench(twist); }, Table::build(curve, tolerance, {.name = name})};
+    return NamedCurve{name, [curve](SlipTwist twist) { return curve.wrench(twist); },
+                      Table::build(curve, tolerance, {.name = name})};
   };
-  for (const NamedCurve& curve :
-       {named("ellipse", Ellipse(1.2, 0.5), 1e-13), named("sharp superellipse", test::Superellipse{1.1, 0.58, 1.725}, 1e-13),
-        named("blunt superellipse", test::Superellipse{1.0, 0.58, 3.0}, 1e-8), named("wide ellipse", Ellipse(2.0, 30.0), 1e-10)}) {
+  for (const NamedCurve& curve : {named("ellipse", Ellipse(1.2, 0.5), 1e-13),
+                                  named("sharp superellipse", test::Superellipse{1.1, 0.58, 1.725}, 1e-13),
+                                  named("blunt superellipse", test::Superellipse{1.0, 0.58, 3.0}, 1e-8),
+                                  named("wide ellipse", Ellipse(2.0, 30.0), 1e-10)}) {
     SCOPED_TRACE(curve.name);
     EXPECT_EQ(curve.table.law_name(), curve.name);
     const double scale = std::max(curve.exact({1.0, 0.0}).force, curve.exact({0.0, 1.0}).moment);
@@ -159,8 +167,8 @@ TEST(Table, TakesAnyCurveWhoseNormalTurnsSmoothly) {
 }
 
 TEST(FloatTable, CheckedErrorHoldsInItsOwnArithmetic) {
-  for (const char* name :
-       {"hertz", "uniform", "flat-punch", "cone", "power:n=-0.9", "xydas-kao:k=3", "gaussian:sigma=1e-3", "gaussian:sigma=1e3"}) {
+  for (const char* name : {"hertz", "uniform", "flat-punch", "cone", "power:n=-0.9", "xydas-kao:k=3",
+                           "gaussian:sigma=1e-3", "gaussian:sigma=1e3"}) {
     const Law law = parse_law(name);
     for (const double tolerance : {1e-1, 1e-4, 5e-7}) {
       SCOPED_TRACE(std::string(name) + ' ' + std::to_string(tolerance));
@@ -207,7 +215,8 @@ TEST(Table, FollowsWhatIsNearerToAnEndThanBucketsGet) {
 TEST(Table, NamesTheCurveAndTheToleranceThatIsNotPossible) {
   // Near pure spin its force is the fifth root of x: no cell begins near enough to 0.
   const test::Superellipse blunt{1.0, 0.58, 6.0};
-  const std::string text = complaint<std::runtime_error>([&] { Table::build(blunt, 1e-12, {.name = "superellipse:n=6"}); });
+  const std::string text =
+      complaint<std::runtime_error>([&] { Table::build(blunt, 1e-12, {.name = "superellipse:n=6"}); });
   expect_mention(text, "superellipse:n=6");
   expect_mention(text, "1e-12");
   expect_mention(text, "expected a coarser one");
@@ -229,10 +238,12 @@ TEST(Table, RefusesCurvesWithCorners) {
 TEST(Table, FindsTheCurveOnTheRayOfTheLargestWrenches) {
   const Table table = Table::build(hertz(), 1e-6);
   const double largest = std::numeric_limits<double>::max();
-  for (const UnitWrench wrench : {UnitWrench{largest, largest}, UnitWrench{1e-300, largest}, UnitWrench{largest, 0.0}}) {
+  for (const UnitWrench wrench :
+       {UnitWrench{largest, largest}, UnitWrench{1e-300, largest}, UnitWrench{largest, 0.0}}) {
     const UnitWrench found = table.along(wrench).wrench;
     EXPECT_NEAR(table.gauge(found), 1.0, 1e-14) << wrench.force;
-    EXPECT_NEAR(found.force * (wrench.moment / largest), found.moment * (wrench.force / largest), 1e-15) << wrench.force;
+    EXPECT_NEAR(found.force * (wrench.moment / largest), found.moment * (wrench.force / largest), 1e-15)
+        << wrench.force;
   }
 }
 

@@ -110,7 +110,8 @@ TEST(OwnLaw, ThatListsItsKinksAndJumpsIsExact) {
     if (truth.kind->rim_exponent() != 0) continue;  // beside a singular ring digits are lost
     for (const double s : cors) {
       const WrenchEstimate found = law->evaluate(s);
-      EXPECT_LE(std::max(found.error.force, found.error.moment), accuracy::evaluate_by_quadrature) << truth.name << ' ' << s;
+      EXPECT_LE(std::max(found.error.force, found.error.moment), accuracy::evaluate_by_quadrature)
+          << truth.name << ' ' << s;
     }
   }
 }
@@ -158,7 +159,8 @@ TEST(OwnLaw, WithoutASensiblePressureIsRefused) {
     const Law law = std::make_shared<FunctionLaw>(name, pressure, whole);
     for (const double s : cors) {
       const WrenchEstimate found = law->evaluate(s);
-      EXPECT_TRUE(found.wrench.force >= 0.0 && found.wrench.force <= 1.0 && found.wrench.moment >= 0.0 && found.wrench.moment <= 1.0)
+      EXPECT_TRUE(found.wrench.force >= 0.0 && found.wrench.force <= 1.0 && found.wrench.moment >= 0.0 &&
+                  found.wrench.moment <= 1.0)
           << name << s;
       if (s < inf) {
         EXPECT_TRUE(found.error.force > 1e-4 && found.error.force <= 1.01) << name << ' ' << found.error.force;
@@ -180,7 +182,8 @@ TEST(OwnLaw, ThatComputesItsRimFromTheRadiusSaysWhatItLost) {
   const Discs punch{"", flat_punch(), {1.0}, {1.0}};
   for (const Extended soft : {0.0L, 1e-24L, 1e-12L}) {
     const auto pressure = [soft](Extended rho) { return 0.5L * std::pow((1 - rho * rho) + soft, -0.5L); };
-    const Law law = std::make_shared<FunctionLaw>("softened by " + std::to_string(soft), pressure, std::vector<Extended>{0, 1});
+    const Law law =
+        std::make_shared<FunctionLaw>("softened by " + std::to_string(soft), pressure, std::vector<Extended>{0, 1});
     for (const double s : cors) {
       const WrenchEstimate found = law->evaluate(s);
       // By how much the softened pressure is another one: less than √soft. The reference is rounded to double.

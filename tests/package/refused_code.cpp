@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a user may write by mistake: with WRONG every marked line must not compile, and the compiler must say the words after the mark; without it
-// the file compiles (refused_code.py).
+// What a user may write by mistake: with WRONG every marked line must not compile, and the compiler must say the words
+// after the mark; without it the file compiles (refused_code.py).
 #include "godobject/batch/batch.hpp"
 #include "godobject/body/grasp.hpp"
 #include "godobject/godobject.hpp"

@@ -15,7 +15,14 @@ SOURCE = Path(__file__).with_name("refused_code.cpp")
 def errors(compiler, folders, *options):
     """The compiler's exit status and what it says."""
     command = [compiler, "-std=c++20", "-fsyntax-only", *options, *[f"-I{folder}" for folder in folders], str(SOURCE)]
-    run = subprocess.run(command, capture_output=True, text=True, check=False, env={"LC_ALL": "C", "PATH": "/usr/bin:/bin"})
+    run = subprocess.run(command,
+                         capture_output=True,
+                         text=True,
+                         check=False,
+                         env={
+                             "LC_ALL": "C",
+                             "PATH": "/usr/bin:/bin"
+                         })
     return run.returncode, run.stderr
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Macros of <windows.h> and similar headers, for a test that our public headers compile after it. GCC's own headers come first: its
-// standard library does not compile after min and max.
+// Macros of <windows.h> and similar headers, for a test that our public headers compile after it. GCC's own headers
+// come first: its standard library does not compile after min and max.
 #pragma once
 
 #if __has_include(<bits/stdc++.h>)

@@ -37,7 +37,9 @@ for (const e of document.querySelectorAll("body *")) {
 return result;
 """
 
-CONTROLS = {"application", "button", "checkbox", "combobox", "image", "img", "link", "radio", "searchbox", "slider", "textbox"}
+CONTROLS = {
+    "application", "button", "checkbox", "combobox", "image", "img", "link", "radio", "searchbox", "slider", "textbox"
+}
 
 
 def start():
@@ -52,9 +54,18 @@ def start():
 
 def show(browser, address, width=1200, height=1000, dark=False, touch=False):
     command = browser.execute_cdp_cmd
-    command("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": touch})
+    command("Emulation.setDeviceMetricsOverride", {
+        "width": width,
+        "height": height,
+        "deviceScaleFactor": 1,
+        "mobile": touch
+    })
     command("Emulation.setTouchEmulationEnabled", {"enabled": touch})
-    command("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]})
+    command("Emulation.setEmulatedMedia",
+            {"features": [{
+                "name": "prefers-color-scheme",
+                "value": "dark" if dark else "light"
+            }]})
     browser.get(address)
 
 
@@ -73,8 +84,8 @@ def complaints(browser):
 def nameless_controls(browser):
     """What a screen reader finds without a name: by the browser's own tree of accessibility."""
     nodes = browser.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
-    return [(node["role"]["value"], node.get("backendDOMNodeId")) for node in nodes
-            if not node.get("ignored") and node.get("role", {}).get("value") in CONTROLS and not node.get("name", {}).get("value", "").strip()]
+    return [(node["role"]["value"], node.get("backendDOMNodeId")) for node in nodes if not node.get("ignored")
+            and node.get("role", {}).get("value") in CONTROLS and not node.get("name", {}).get("value", "").strip()]
 
 
 class PageTest(unittest.TestCase):
@@ -106,7 +117,9 @@ class PageTest(unittest.TestCase):
         self.assertIn(page.as_uri(), log)
         for scheme in ('"url":"http:', '"url":"https:', '"url":"ws'):
             self.assertNotIn(scheme, log)
-        self.assertEqual(self.browser.execute_script("return performance.getEntriesByType('resource').filter((e) => !e.name.startsWith('data:')).length"), 0)
+        self.assertEqual(
+            self.browser.execute_script(
+                "return performance.getEntriesByType('resource').filter((e) => !e.name.startsWith('data:')).length"), 0)
 
     def assert_contrast(self, found, **page):
         for what, contrast in found:

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The playground in headless Chromium: its numbers against `limitcurve replay` and `limitcurve pivot`, every way to move it, every switch,
-its speed, and that anybody can read it. `scripts/setup pages` installs the browser.
+"""The playground in headless Chromium: its numbers against `limitcurve replay` and `limitcurve pivot`, every way to
+move it, every switch, its speed, and that anybody can read it. `scripts/setup pages` installs the browser.
 
     scripts/maintain/playground && tests/site/test_playground.py [--page FILE] [--cli EXECUTABLE] [unittest arguments]
 """
@@ -43,7 +43,8 @@ def run(*arguments, text=None):
 
 
 def trace():
-    """Presses, slides, turns, reverses, spins past half a turn (the twist wraps), changes its load, lifts and touches down again."""
+    """Presses, slides, turns, reverses, spins past half a turn (the twist wraps), changes its load, lifts and touches
+    down again."""
     rows = []
     for i in range(2000):
         t = i * 1e-3
@@ -57,7 +58,8 @@ def trace():
 class Playground(browser.PageTest):
     def open(self, width=1200, height=1000, dark=False, touch=False):
         browser.show(self.browser, PAGE.as_uri(), width, height, dark, touch)
-        self.wait(lambda: self.browser.execute_script("return window.limitcurve !== undefined && limitcurve.frames.count > 3"))
+        self.wait(lambda: self.browser.execute_script(
+            "return window.limitcurve !== undefined && limitcurve.frames.count > 3"))
 
     def number(self, name):
         return float(self.element(name).text)
@@ -82,20 +84,32 @@ class Playground(browser.PageTest):
             path = Path(folder) / "trace.csv"
             path.write_text("time,x,y,z,twist\n" + "".join(",".join(map(repr, row.values())) + "\n" for row in rows))
             for law, (curve, projection), exponent, (twist_stiffness, damping) in itertools.product(
-                    ("hertz", "uniform", "parabolic", "flat-punch", "cone", "xydas-kao:k=3", "gaussian:sigma=0.4"),
-                    (("exact", "closest-point"), ("exact", "radial"), ("exact", "c-curve"), ("ellipse", "closest-point"),
-                     ("ellipse", "radial"), ("ellipse", "c-curve"), ("box", "closest-point")), (0, 1 / 3), ((0.004, 0), (0.04, 2))):
+                ("hertz", "uniform", "parabolic", "flat-punch", "cone", "xydas-kao:k=3", "gaussian:sigma=0.4"),
+                (("exact", "closest-point"), ("exact", "radial"), ("exact", "c-curve"), ("ellipse", "closest-point"),
+                 ("ellipse", "radial"), ("ellipse", "c-curve"), ("box", "closest-point")), (0, 1 / 3),
+                ((0.004, 0), (0.04, 2))):
                 with self.subTest(law=law, curve=curve, projection=projection, exponent=exponent, damping=damping):
                     self.compare(rows, path, law, curve, projection, exponent, twist_stiffness, damping)
 
     def compare(self, rows, path, law, curve, projection, exponent, twist_stiffness, damping):
         twist_damping = 1e-5 * damping
         of_curve = ["--curve", "table", "--tolerance", "1e-9"] if curve == "exact" else ["--curve", curve]
-        expected = run("replay", "--trace", str(path), "--law", law, "--radius-law", f"power:c=0.006,gamma={exponent}", "--mu", "0.6",
-                       "--stiffness", "300", "--twist-stiffness", str(twist_stiffness), "--damping", str(damping),
-                       "--twist-damping", str(twist_damping), "--projection", projection, *of_curve)
-        got = self.call("replay", rows, {"law": law, "curve": curve, "projection": projection, "mu": 0.6, "radius": 0.006, "exponent": exponent,
-                                         "stiffness": 300, "twistStiffness": twist_stiffness, "damping": damping, "twistDamping": twist_damping})
+        expected = run("replay", "--trace", str(path), "--law", law, "--radius-law", f"power:c=0.006,gamma={exponent}",
+                       "--mu", "0.6", "--stiffness", "300", "--twist-stiffness", str(twist_stiffness), "--damping",
+                       str(damping), "--twist-damping", str(twist_damping), "--projection", projection, *of_curve)
+        got = self.call(
+            "replay", rows, {
+                "law": law,
+                "curve": curve,
+                "projection": projection,
+                "mu": 0.6,
+                "radius": 0.006,
+                "exponent": exponent,
+                "stiffness": 300,
+                "twistStiffness": twist_stiffness,
+                "damping": damping,
+                "twistDamping": twist_damping
+            })
         self.assertEqual(len(got), len(expected))
         self.assertGreater(sum(row["state"] == "slip" for row in expected), 500)
         # Every bit, unless the radius is a power of the load: the C library of either side rounds that in its own way.
@@ -114,23 +128,35 @@ class Playground(browser.PageTest):
                                         ("uncoupled", "box", "closest-point")):
             with self.subTest(case=case):
                 extra = ["--tolerance", "1e-9"] if case == "exact" else []
-                expected = run("pivot", "--case", case, "--release", "from=0.5,to=0.2,over=3", "--duration", "3", *extra)
+                expected = run("pivot", "--case", case, "--release", "from=0.5,to=0.2,over=3", "--duration", "3",
+                               *extra)
                 moment_ratio = 3 * math.pi / 16
                 stiffness = 1000 * (0.01011 / 1.67) ** 2
-                got = self.call("pivot", [float(row["load"]) for row in expected],
-                                {"law": "hertz", "curve": curve, "projection": projection, "mu": 1.67,
-                                 "radius": 0.01011 / (1.67 * moment_ratio), "stiffness": 1000, "twistStiffness": stiffness, "damping": 5,
-                                 "twistDamping": 5 * stiffness / 1000})
+                got = self.call(
+                    "pivot", [float(row["load"]) for row in expected], {
+                        "law": "hertz",
+                        "curve": curve,
+                        "projection": projection,
+                        "mu": 1.67,
+                        "radius": 0.01011 / (1.67 * moment_ratio),
+                        "stiffness": 1000,
+                        "twistStiffness": stiffness,
+                        "damping": 5,
+                        "twistDamping": 5 * stiffness / 1000
+                    })
                 self.assertGreater(max(abs(float(row["angle"])) + abs(float(row["y"])) for row in expected), 0.05)
                 self.assertEqual(len(got), len(expected) - 1)
                 for want, have in zip(expected[1:], got):
                     self.assertEqual(have["state"], want["state"], want["time"])
-                    for column, name in (("x", "x"), ("y", "y"), ("angle", "angle"), ("friction_force", "force"), ("friction_moment", "moment")):
-                        self.assertLessEqual(abs(have[name] - float(want[column])), 1e-12, f"{column} at {want['time']}")
+                    for column, name in (("x", "x"), ("y", "y"), ("angle", "angle"), ("friction_force", "force"),
+                                         ("friction_moment", "moment")):
+                        self.assertLessEqual(abs(have[name] - float(want[column])), 1e-12,
+                                             f"{column} at {want['time']}")
 
     def test_a_row_with_a_nan_is_named(self):
-        script = ("const done = arguments[arguments.length - 1]; limitcurve.replay([{time: 0, x: NaN, y: 0, z: 0, twist: 0}])"
-                  ".then(() => done('none'), (e) => done(e.message))")
+        script = (
+            "const done = arguments[arguments.length - 1]; limitcurve.replay([{time: 0, x: NaN, y: 0, z: 0, twist: 0}])"
+            ".then(() => done('none'), (e) => done(e.message))")
         self.assertIn("row 0: x = NaN", self.browser.execute_async_script(script))
 
     def test_says_what_it_shows(self):
@@ -154,7 +180,8 @@ class Playground(browser.PageTest):
     # Ways to move it.
 
     def test_mouse_drags(self):
-        ActionChains(self.browser).move_to_element(self.element("scene")).click_and_hold().move_by_offset(120, -40).perform()
+        ActionChains(self.browser).move_to_element(self.element("scene")).click_and_hold().move_by_offset(
+            120, -40).perform()
         self.wait(lambda: self.number("force") > 0.55, message="no friction while dragged")
         ActionChains(self.browser).release().perform()
 
@@ -175,7 +202,8 @@ class Playground(browser.PageTest):
     def test_two_fingers_turn_and_one_drags(self):
         self.open(390, 844, touch=True)
         self.browser.execute_script("document.getElementById('scene').scrollIntoView({block: 'center'})")
-        box = self.browser.execute_script("const b = document.getElementById('scene').getBoundingClientRect(); return [b.x, b.y, b.width, b.height]")
+        box = self.browser.execute_script(
+            "const b = document.getElementById('scene').getBoundingClientRect(); return [b.x, b.y, b.width, b.height]")
         x, y = box[0] + box[2] / 2, box[1] + box[3] / 2
 
         def touch(kind, *points):
@@ -190,7 +218,8 @@ class Playground(browser.PageTest):
         touch("touchStart", (x - 60, y), (x + 60, y))
         for i in range(1, 16):
             angle = 0.1 * i
-            touch("touchMove", (x - 60 * math.cos(angle), y - 60 * math.sin(angle)), (x + 60 * math.cos(angle), y + 60 * math.sin(angle)))
+            touch("touchMove", (x - 60 * math.cos(angle), y - 60 * math.sin(angle)),
+                  (x + 60 * math.cos(angle), y + 60 * math.sin(angle)))
         # Clockwise on the screen, and friction against it.
         self.wait(lambda: self.number("moment") > 1.5, message="no moment while turned")
         self.assertLess(self.number("force"), 0.1)
@@ -217,7 +246,8 @@ class Playground(browser.PageTest):
             left = self.number("grip")
             time.sleep(0.3)
             self.assertGreater(self.number("grip"), left - 0.1, "the key sticks")
-        self.hold("+", lambda: self.number("grip") > 1.5, "no load")  # last: a busy machine may hold a key until nothing is left to lift
+        self.hold("+", lambda: self.number("grip") > 1.5,
+                  "no load")  # last: a busy machine may hold a key until nothing is left to lift
         ActionChains(self.browser).send_keys(" ").perform()
         self.wait(lambda: self.element("state").text == "free")
         self.assertEqual((self.number("force"), self.number("grip")), (0, 0))
@@ -228,7 +258,8 @@ class Playground(browser.PageTest):
         for _ in range(40):
             ActionChains(self.browser).send_keys(Keys.TAB).perform()
             reached.add(self.browser.switch_to.active_element.get_attribute("id"))
-        self.assertLessEqual({"load", "coupled", "law", "curve", "projection", "ratio", "radius", "drive", "about", "restart"}, reached)
+        self.assertLessEqual(
+            {"load", "coupled", "law", "curve", "projection", "ratio", "radius", "drive", "about", "restart"}, reached)
 
     def test_the_block_turns_by_loosening_the_grip(self):
         self.show_block()
@@ -240,7 +271,8 @@ class Playground(browser.PageTest):
         self.hold(Keys.ARROW_UP, lambda: self.number("grip") > 0.8, "no more grip")
         self.wait(lambda: self.element("state").text == "stick", message="it does not hold")
         self.suggest("operate")
-        self.wait(lambda: self.number("turned") > 28 and self.element("state").text == "stick", 20, "the operator does not turn it")
+        self.wait(lambda: self.number("turned") > 28 and self.element("state").text == "stick", 20,
+                  "the operator does not turn it")
         self.assertLess(self.number("turned"), 40)
 
     def test_time_that_the_page_did_not_see_does_not_pass(self):
@@ -293,7 +325,8 @@ class Playground(browser.PageTest):
                 Select(self.element("curve")).select_by_value(curve)
                 Select(self.element("projection")).select_by_value(projection)
                 time.sleep(0.1)
-                self.assertEqual((self.element("state").text, self.number("turned"), self.number("slid")), ("stick", 0, 0))
+                self.assertEqual((self.element("state").text, self.number("turned"), self.number("slid")),
+                                 ("stick", 0, 0))
                 self.assertAlmostEqual(self.number("force"), 0.4905, delta=6e-4)  # half the weight of 100 g
 
     # What a page must be.

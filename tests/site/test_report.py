@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The report's page in headless Chromium: its links, print, and that anybody can read it. `scripts/setup pages` installs what this needs.
+"""The report's page in headless Chromium: its links, print, and that anybody can read it. `scripts/setup pages`
+installs what this needs.
 
-    tests/site/test_report.py [--page FILE] [unittest arguments]     without --page it makes the report, which takes a minute
+    tests/site/test_report.py [--page FILE] [unittest arguments]     without --page it makes the report, which takes a
+    minute
 """
 
 import argparse
@@ -31,11 +33,13 @@ class Report(browser.PageTest):
         self.assertGreater(len(links), 80)
         for link in links:
             if link.startswith("#"):
-                self.assertEqual(self.script("return document.getElementById(arguments[0])?.tagName", link[1:]), "H2", link)
+                self.assertEqual(self.script("return document.getElementById(arguments[0])?.tagName", link[1:]), "H2",
+                                 link)
             else:
                 self.assertTrue(PAGE.with_name(link).exists(), link)
         # A table of contents that misses nothing, and the data of every figure.
-        self.assertEqual(self.script("return document.querySelectorAll('nav a').length"), self.script("return document.querySelectorAll('section > h2').length"))
+        self.assertEqual(self.script("return document.querySelectorAll('nav a').length"),
+                         self.script("return document.querySelectorAll('section > h2').length"))
         for figure in self.script("return [...document.querySelectorAll('figure')].map((f) => [f.id, f.innerHTML])"):
             self.assertIn(f"{figure[0]}.svg", figure[1])
             self.assertRegex(figure[1], r'href="\w+\.csv"', figure[0])
@@ -47,9 +51,17 @@ class Report(browser.PageTest):
 
     def test_prints_figures_as_they_were_drawn(self):
         for scheme in "light", "dark":
-            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print", "features": [{"name": "prefers-color-scheme", "value": scheme}]})
-            self.assertEqual(self.script("return getComputedStyle(document.body).backgroundColor"), "rgb(255, 255, 255)")
-            self.assertEqual(self.script("return getComputedStyle(document.querySelector('figure svg')).filter"), "none")
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+                "media": "print",
+                "features": [{
+                    "name": "prefers-color-scheme",
+                    "value": scheme
+                }]
+            })
+            self.assertEqual(self.script("return getComputedStyle(document.body).backgroundColor"),
+                             "rgb(255, 255, 255)")
+            self.assertEqual(self.script("return getComputedStyle(document.querySelector('figure svg')).filter"),
+                             "none")
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
 
     def test_contrast(self):
@@ -69,6 +81,11 @@ if __name__ == "__main__":
     known, others = parser.parse_known_args()
     with tempfile.TemporaryDirectory() as folder:
         if not known.page:
-            subprocess.run([ROOT / "scripts" / "demo", folder], env={**os.environ, "LIMITCURVE_PRESET": "ci"}, stdout=subprocess.DEVNULL, check=True)
+            subprocess.run([ROOT / "scripts" / "demo", folder],
+                           env={
+                               **os.environ, "LIMITCURVE_PRESET": "ci"
+                           },
+                           stdout=subprocess.DEVNULL,
+                           check=True)
         PAGE = (known.page or Path(folder) / "index.html").resolve()
         unittest.main(argv=[sys.argv[0], *others])

@@ -73,9 +73,13 @@ class Links(unittest.TestCase):
 
     def test_every_job_is_reached_from_the_front_page(self):
         links = {urldefrag(link)[0] for link in Page(SITE / "index.html").links}
-        self.assertLessEqual({"generate.html", "validate.html", "drive.html", "measure_and_fit.html", "which_number.html", "choosing.html", "theory.html",
-                              "paper.html", "not_round.html", "stability.html", "glossary.html", "accuracy.html", "speed.html", "CONTRIBUTING.html", "cli/README.html",
-                              "reference/limitcurve.html", "reference/c.html", "reference/python.html", "playground/index.html"}, links)
+        self.assertLessEqual(
+            {
+                "generate.html", "validate.html", "drive.html", "measure_and_fit.html", "which_number.html",
+                "choosing.html", "theory.html", "paper.html", "not_round.html", "stability.html", "glossary.html",
+                "accuracy.html", "speed.html", "CONTRIBUTING.html", "cli/README.html", "reference/limitcurve.html",
+                "reference/c.html", "reference/python.html", "playground/index.html"
+            }, links)
 
 
 class Browsed(unittest.TestCase):
@@ -105,14 +109,18 @@ class Browsed(unittest.TestCase):
                     self.assertGreater(len(found), 15)
                     self.assertEqual({what: round(contrast, 2) for what, contrast in found if contrast < 4.5}, {})
                     if touch:
-                        self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), 390, "it scrolls sideways")
+                        self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"),
+                                             390, "it scrolls sideways")
 
     def test_search_finds(self):
-        for word, page in (("diamond", "validate.html"), ("SoftFinger", "reference/godobject.html"), ("limitcurve_finger_update", "reference/c.html")):
+        for word, page in (("diamond", "validate.html"), ("SoftFinger", "reference/godobject.html"),
+                           ("limitcurve_finger_update", "reference/c.html")):
             with self.subTest(word):
                 browser.show(self.browser, f"{(SITE / 'search.html').as_uri()}?q={word}")
                 script = "return [...document.querySelectorAll('#search-results a')].map((a) => a.href.split(/[?#]/)[0])"
-                browser.wait(self, lambda script=script, page=page: (SITE / page).as_uri() in self.browser.execute_script(script),
+                browser.wait(self,
+                             lambda script=script, page=page:
+                             (SITE / page).as_uri() in self.browser.execute_script(script),
                              message=f"{page} is not found")
                 self.assertEqual(browser.complaints(self.browser), [])
 
@@ -127,14 +135,18 @@ class Browsed(unittest.TestCase):
     def test_formulas_are_drawn(self):
         browser.show(self.browser, (SITE / "theory.html").as_uri())
         sizes = self.browser.execute_script(
-            "return [...document.querySelectorAll('math')].map((e) => [e.textContent, e.getBoundingClientRect().width, e.getBoundingClientRect().height])")
+            "return [...document.querySelectorAll('math')].map((e) => [e.textContent, e.getBoundingClientRect().width, e.getBoundingClientRect().height])"
+        )
         self.assertGreater(len(sizes), 40)
         for text, width, height in sizes:
             with self.subTest(text):
                 self.assertGreater(min(width, height), 4)
         # A fraction is higher than a line, a root and an integral are MathML's own, and no TeX is left.
-        self.assertGreater(self.browser.execute_script("return document.querySelector('math mfrac').getBoundingClientRect().height"), 25)
-        self.assertGreater(self.browser.execute_script("return document.querySelectorAll('math msqrt, math mfrac').length"), 10)
+        self.assertGreater(
+            self.browser.execute_script("return document.querySelector('math mfrac').getBoundingClientRect().height"),
+            25)
+        self.assertGreater(
+            self.browser.execute_script("return document.querySelectorAll('math msqrt, math mfrac').length"), 10)
         text = self.browser.execute_script("return document.querySelector('article').innerText")
         for left in ("$", "\\frac", "\\int", "\\mathrm"):
             self.assertNotIn(left, text)

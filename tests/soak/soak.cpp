@@ -11,12 +11,14 @@
 #include <string>
 #include <vector>
 
-// Random steps of the god-object, in episodes of one finger each: what fuzz's target `step` makes of random bytes, the same on every machine.
+// Random steps of the god-object, in episodes of one finger each: what fuzz's target `step` makes of random bytes, the
+// same on every machine.
 //
 //     soak [--steps N] [--seed S] [--samples FILE] [--tables DIR]
 //
-// Prints how many steps there were, and by how much a wrench exceeded its limit. A failing episode is written up to the step that fails: a seed
-// of the target. --samples writes some outputs, to compare builds (scripts/maintain/matrix); these read the same tables, in DIR.
+// Prints how many steps there were, and by how much a wrench exceeded its limit. A failing episode is written up to the
+// step that fails: a seed of the target. --samples writes some outputs, to compare builds (scripts/maintain/matrix);
+// these read the same tables, in DIR.
 
 namespace limitcurve::fuzz {
 namespace {
@@ -24,8 +26,9 @@ namespace {
 constexpr std::size_t bytes_per_episode = 1U << 16U;
 constexpr std::size_t steps_per_sample = 128;
 
-/// A row: what the user feels, and the scale that an agreement of it is a share of: the limit, and 2⁻¹⁰ of what the springs and dampers
-/// would make of the whole of the coordinates, so that 1e-12 of it has room for four roundings of them.
+/// A row: what the user feels, and the scale that an agreement of it is a share of: the limit, and 2⁻¹⁰ of what the
+/// springs and dampers would make of the whole of the coordinates, so that 1e-12 of it has room for four roundings of
+/// them.
 void write_sample(std::ofstream& samples, const godobject::SoftFinger& finger, const Sample& sample) {
   const godobject::FingerOutput output = finger.output();
   if (output.state != godobject::ContactState::stick && output.state != godobject::ContactState::slip) return;
@@ -35,8 +38,8 @@ void write_sample(std::ofstream& samples, const godobject::SoftFinger& finger, c
   const double twist_stiffness = parameters.twist_stiffness + parameters.twist_damping / sample.time_step;
   const double place = output.proxy.norm() + sample.contact.point.norm();
   const double angle = std::fabs(output.angle) + std::fabs(sample.twist);
-  samples << to_string(output.state) << ',' << output.force.x() << ',' << output.force.y() << ',' << output.force.z() << ','
-          << output.moment << ',' << limit.force + std::ldexp(stiffness * place, -10) << ','
+  samples << to_string(output.state) << ',' << output.force.x() << ',' << output.force.y() << ',' << output.force.z()
+          << ',' << output.moment << ',' << limit.force + std::ldexp(stiffness * place, -10) << ','
           << limit.force * limit.radius + std::ldexp(twist_stiffness * angle, -10) << '\n';
 }
 
@@ -63,11 +66,13 @@ int soak(std::map<std::string, std::string> settings) {
     });
     if (!fault.empty()) {
       input.resize(input.size() - bytes.left());
-      std::ofstream("soak-finding", std::ios::binary).write(reinterpret_cast<const char*>(input.data()), std::ssize(input));
+      std::ofstream("soak-finding", std::ios::binary)
+          .write(reinterpret_cast<const char*>(input.data()), std::ssize(input));
       std::printf("%s (%g above the limit), see soak-finding\n", fault.c_str(), excess);
     }
   }
-  std::printf("%" PRIu64 " steps: free %" PRIu64 ", stick %" PRIu64 ", slip %" PRIu64 ", invalid %" PRIu64 "; largest gauge 1 + %.3g\n",
+  std::printf("%" PRIu64 " steps: free %" PRIu64 ", stick %" PRIu64 ", slip %" PRIu64 ", invalid %" PRIu64
+              "; largest gauge 1 + %.3g\n",
               steps, states[0], states[1], states[2], states[3], excess);
   return fault.empty() ? 0 : 1;
 }
@@ -76,7 +81,8 @@ int soak(std::map<std::string, std::string> settings) {
 }  // namespace limitcurve::fuzz
 
 int main(int argc, char** argv) {
-  std::map<std::string, std::string> settings{{"--steps", "100000"}, {"--seed", "1"}, {"--samples", ""}, {"--tables", ""}};
+  std::map<std::string, std::string> settings{
+      {"--steps", "100000"}, {"--seed", "1"}, {"--samples", ""}, {"--tables", ""}};
   for (int i = 1; i + 1 < argc; i += 2) settings.at(argv[i]) = argv[i + 1];
   return limitcurve::fuzz::soak(settings);
 }

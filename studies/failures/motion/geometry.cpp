@@ -82,8 +82,8 @@ Hazard half_a_turn() {
       if (i % 5 == 0) figure.rows.push_back({"moment", series[j], angle, moments[j]});
     }
   }
-  found.findings.push_back(
-      {"twist passes ±π", "spring, difference wrapped into ±π", "error of the moment / limit (slips after 4 rad)", worst[0], worst[1]});
+  found.findings.push_back({"twist passes ±π", "spring, difference wrapped into ±π",
+                            "error of the moment / limit (slips after 4 rad)", worst[0], worst[1]});
   return found;
 }
 
@@ -92,7 +92,9 @@ Hazard thin_plate() {
   const Vector3d half{0.03, 0.02, 0.0005};
   const BoxSurface box(half);
   ContactMemory memory;
-  const auto push = [](const Contact& contact) { return stiffness * std::max(contact.depth, 0.0) * contact.normal.z(); };
+  const auto push = [](const Contact& contact) {
+    return stiffness * std::max(contact.depth, 0.0) * contact.normal.z();
+  };
   std::array<double, 2> short_by{};
   for (int i = -20; i <= 300; ++i) {
     const double depth = 1e-5 * i;
@@ -103,8 +105,8 @@ Hazard thin_plate() {
     }
   }
   found.findings.push_back({"thin plate", "nearest surface point (ours: box)",
-                            "k_l d minus the force towards the finger's side [N] (pressed 3 mm into 1 mm, 1000 N/m)", short_by[0],
-                            short_by[1]});
+                            "k_l d minus the force towards the finger's side [N] (pressed 3 mm into 1 mm, 1000 N/m)",
+                            short_by[0], short_by[1]});
   return found;
 }
 
@@ -141,8 +143,8 @@ Hazard normals_that_jump() {
     ours = std::max(ours, std::fabs(output.force.dot(normal)) / (mu * output.load));
     work = std::min(work, output.slip_work);
   }
-  found.findings.push_back({"normals that jump", "spring to the proxy, clamped to μP", "friction along the normal / μP (edges of 45°)",
-                            customary, std::max(ours, -work)});
+  found.findings.push_back({"normals that jump", "spring to the proxy, clamped to μP",
+                            "friction along the normal / μP (edges of 45°)", customary, std::max(ours, -work)});
   return found;
 }
 

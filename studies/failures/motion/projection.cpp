@@ -46,7 +46,8 @@ struct Condition {
       if (u == low || u == high) break;
       // In u the function rises from −χy to x; in s it falls. Its sign is that of u(x − f) − (1−u)χ(y − m).
       const UnitForces<double> at = law.forces((1.0 - u) / u);
-      const double value = u * (trial.force - at.force) - (1.0 - u) * trial.compliance_ratio * (trial.moment - at.moment);
+      const double value =
+          u * (trial.force - at.force) - (1.0 - u) * trial.compliance_ratio * (trial.moment - at.moment);
       (value > 0.0 ? high : low) = u;
     }
     return high;
@@ -76,7 +77,9 @@ Failures failures(const Law& law, const FingerCurve& table, double kappa, double
   const ExactCurve curve(law);
   const double m0 = law->moment_ratio();
   fit::synthetic::Random random(5);
-  const auto logarithmic = [&](double low, double high) { return low * std::pow(high / low, random.uniform(0.0, 1.0)); };
+  const auto logarithmic = [&](double low, double high) {
+    return low * std::pow(high / low, random.uniform(0.0, 1.0));
+  };
   constexpr int rounds = 300;
   Failures count{0.0, 0.0, 0.0};
   for (int i = 0; i < rounds; ++i) {
@@ -109,15 +112,17 @@ Hazard newton_without_bracket() {
   const Law law = hertz();
   const FingerCurve table(Table::build(law, 1e-10));
   double ours = 0.0;
-  for (const double kappa : in_ratios(1e-6, 1e6, 37)) ours = std::max(ours, failures(law, table, kappa, 1e-4, 10.0).ours);
-  for (const double over : in_ratios(1e-4, 1e8, 37)) ours = std::max(ours, failures(law, table, 1.0, over, over * 1.0001).ours);
+  for (const double kappa : in_ratios(1e-6, 1e6, 37))
+    ours = std::max(ours, failures(law, table, kappa, 1e-4, 10.0).ours);
+  for (const double over : in_ratios(1e-4, 1e8, 37))
+    ours = std::max(ours, failures(law, table, 1.0, over, over * 1.0001).ours);
   const Failures even = failures(law, table, 1.0, 1e-4, 10.0);
   const Failures stiff = failures(law, table, 1e6, 1e-4, 10.0);
   const std::string share = "share of slips with no closest point found ";
-  found.findings.push_back(
-      {"Newton without a bracket", "from the last COR", share + "(trials up to 11 times the limit)", even.newton, ours});
-  found.findings.push_back(
-      {"Newton without a bracket", "from the trial's direction", share + "(k_r/k_l = 1e6·(m₀a)²)", stiff.newton_ahead, ours});
+  found.findings.push_back({"Newton without a bracket", "from the last COR",
+                            share + "(trials up to 11 times the limit)", even.newton, ours});
+  found.findings.push_back({"Newton without a bracket", "from the trial's direction", share + "(k_r/k_l = 1e6·(m₀a)²)",
+                            stiff.newton_ahead, ours});
   return found;
 }
 

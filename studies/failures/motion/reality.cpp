@@ -26,7 +26,8 @@ constexpr double stiffness = 1000.0;
 constexpr double depth = 1e-3;
 constexpr double limit = mu * stiffness * depth;  // [N]
 
-/// Friction as bristles (P. Dahl 1968; LuGre without its viscous parts), a step a sample: dz/dt = v − |v| k z/(μP), force k z.
+/// Friction as bristles (P. Dahl 1968; LuGre without its viscous parts), a step a sample: dz/dt = v − |v| k z/(μP),
+/// force k z.
 class Bristles {
  public:
   /// Friction [N] at x under the limit μP, along the motion that it resists.
@@ -57,7 +58,8 @@ Contact at(double x, double y = 0.0, double beneath = depth) {
 std::vector<double> sampled(double rate, double duration, double jitter) {
   fit::synthetic::Random random(9);
   std::vector<double> times{0.0};
-  for (int i = 1; i < static_cast<int>(rate * duration); ++i) times.push_back((i + jitter * random.uniform(-1.0, 1.0)) / rate);
+  for (int i = 1; i < static_cast<int>(rate * duration); ++i)
+    times.push_back((i + jitter * random.uniform(-1.0, 1.0)) / rate);
   times.push_back(duration);
   return times;
 }
@@ -120,10 +122,10 @@ Hazard rates_and_jitter() {
     figure.rows.push_back({"error", "limitcurve", rate, error(rate)});
   }
   found.findings.push_back({"rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit",
-                            "largest friction / limit (scrubbing at 100 Hz; ours: 100 Hz to 10 kHz; 1e6: more)", largest(100.0).first,
-                            ours});
-  found.findings.push_back(
-      {"rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit", "the same at 200 Hz", largest(200.0).first, ours});
+                            "largest friction / limit (scrubbing at 100 Hz; ours: 100 Hz to 10 kHz; 1e6: more)",
+                            largest(100.0).first, ours});
+  found.findings.push_back({"rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit", "the same at 200 Hz",
+                            largest(200.0).first, ours});
   return found;
 }
 
@@ -139,8 +141,8 @@ Hazard collapsing_load() {
   }
   const FingerOutput let_go = finger.update(contact(0.01, 0.005), 0.0);
   return {{{"load drops in one step", "bristles of a fixed stiffness (Dahl, LuGre)",
-            "friction force at rest / limit (load to a thousandth in one step)", bristles.update(0.01, mu * 0.005) / (mu * 0.005),
-            let_go.force.norm() / (mu * let_go.load)}},
+            "friction force at rest / limit (load to a thousandth in one step)",
+            bristles.update(0.01, mu * 0.005) / (mu * 0.005), let_go.force.norm() / (mu * let_go.load)}},
           {}};
 }
 

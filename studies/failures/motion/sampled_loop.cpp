@@ -30,14 +30,15 @@ Contact pressed(double x, double depth) {
   return {{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), depth};
 }
 
-/// A device of 0.1 kg and some damping on a sticking contact, pushed once; the contact's force is held for a sample and comes
-/// some samples late. Its motion between samples is exact.
+/// A device of 0.1 kg and some damping on a sticking contact, pushed once; the contact's force is held for a sample and
+/// comes some samples late. Its motion between samples is exact.
 struct Device {
   double mass = 0.1;
   double damping;
   int delay;
 
-  /// By how much the amplitude √(x² + v²m/k) grows in a second: its largest value in a tenth of a second, and a second later.
+  /// By how much the amplitude √(x² + v²m/k) grows in a second: its largest value in a tenth of a second, and a second
+  /// later.
   [[nodiscard]] double growth(double stiffness) const {
     SoftFinger contact = finger(stiffness, 0.0, 1e6);
     contact.update(pressed(0.0, 1e-3), 0.0);
@@ -70,10 +71,12 @@ struct Device {
 Hazard delayed_forces() {
   Hazard found;
   constexpr double stiffness = 1000.0;
-  const auto growth = [](double needed, int delay) { return Device{.damping = 1.05 * needed, .delay = delay}.growth(stiffness); };
+  const auto growth = [](double needed, int delay) {
+    return Device{.damping = 1.05 * needed, .delay = delay}.growth(stiffness);
+  };
   for (const int delay : {1, 2}) {
-    found.findings.push_back({delay == 1 ? "force one sample late" : "force two samples late", "device damped by 1.05 kT/2",
-                              "growth of an oscillation in one second (1000 N/m, 0.1 kg)",
+    found.findings.push_back({delay == 1 ? "force one sample late" : "force two samples late",
+                              "device damped by 1.05 kT/2", "growth of an oscillation in one second (1000 N/m, 0.1 kg)",
                               growth(device_damping_needed(stiffness, 0.0, tick), delay),
                               growth(device_damping_needed(stiffness, 0.0, tick, delay), delay)});
   }

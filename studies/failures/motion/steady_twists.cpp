@@ -51,8 +51,8 @@ UnitWrench settled(const FingerCurve& curve, Projection projection, double kappa
   return {stiffness * r / force_unit, twist_stiffness * rho / (force_unit * radius)};
 }
 
-/// The unit wrench of a steady twist about s if one of force and moment is limited first and the other within the rest of the ellipse. Both
-/// springs stretch at a constant rate, a tenth of the limit a step.
+/// The unit wrench of a steady twist about s if one of force and moment is limited first and the other within the rest
+/// of the ellipse. Both springs stretch at a constant rate, a tenth of the limit a step.
 UnitWrench one_after_the_other(double s, bool force_first) {
   const SlipTwist twist = SlipTwist::about_cor(s);
   double force = 0.0;
@@ -78,10 +78,12 @@ Hazard stiffness_ratios() {
   for (const double kappa : in_ratios(1e-6, 1e6, 49)) {
     ours = std::max(ours, normalised_distance(settled(table, Projection::closest_point, kappa), truth));
   }
-  const auto add = [&](const char* method, const FingerCurve& curve, Projection projection, double kappa, const char* name) {
-    found.findings.push_back({"stiffness ratios", method,
-                              std::string("error of the wrench of a steady twist (c = a, k_r/k_l = ") + name + "·(m₀a)²; ours: any)",
-                              normalised_distance(settled(curve, projection, kappa), truth), ours});
+  const auto add = [&](const char* method, const FingerCurve& curve, Projection projection, double kappa,
+                       const char* name) {
+    found.findings.push_back(
+        {"stiffness ratios", method,
+         std::string("error of the wrench of a steady twist (c = a, k_r/k_l = ") + name + "·(m₀a)²; ours: any)",
+         normalised_distance(settled(curve, projection, kappa), truth), ours});
   };
   for (const auto& [kappa, name] : {std::pair{1e-6, "1e-6"}, {1.0, "1"}, {10.0, "10"}, {1e6, "1e6"}}) {
     add("ellipse, radial projection (eq. 23)", Ellipse::through_intercepts(m0), Projection::radial, kappa, name);
@@ -98,11 +100,14 @@ Hazard order_of_limits() {
   for (const double s : in_ratios(0.1, 10.0, 31)) {
     const SlipTwist twist = SlipTwist::about_cor(s);
     const std::array wrenches{one_after_the_other(s, true), one_after_the_other(s, false), table.wrench(twist)};
-    for (std::size_t i = 0; i < worst.size(); ++i) worst[i] = std::max(worst[i], normalised_distance(wrenches[i], curve.wrench(twist)));
+    for (std::size_t i = 0; i < worst.size(); ++i)
+      worst[i] = std::max(worst[i], normalised_distance(wrenches[i], curve.wrench(twist)));
   }
   const std::string quantity = "error of the wrench of a steady twist (0.1 ≤ c/a ≤ 10)";
-  found.findings.push_back({"order of the limits", "force first, moment within the rest", quantity, worst[0], worst[2]});
-  found.findings.push_back({"order of the limits", "moment first, force within the rest", quantity, worst[1], worst[2]});
+  found.findings.push_back(
+      {"order of the limits", "force first, moment within the rest", quantity, worst[0], worst[2]});
+  found.findings.push_back(
+      {"order of the limits", "moment first, force within the rest", quantity, worst[1], worst[2]});
   return found;
 }
 

@@ -69,8 +69,9 @@ double largest(Integrator integrator) {
 }  // namespace
 
 Hazard light_body() {
-  return {{{"stiff fingers, light body", "symplectic Euler, undamped", "largest kΔt²/m without a gain of energy (tried: 1e-3 to 1e8)",
-            largest(Integrator::symplectic_euler), largest(Integrator::implicit_euler)}},
+  return {{{"stiff fingers, light body", "symplectic Euler, undamped",
+            "largest kΔt²/m without a gain of energy (tried: 1e-3 to 1e8)", largest(Integrator::symplectic_euler),
+            largest(Integrator::implicit_euler)}},
           {}};
 }
 

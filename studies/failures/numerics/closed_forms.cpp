@@ -19,7 +19,9 @@ using std::numbers::pi;
 
 /// s > 1, as printed.
 double hertz_moment(double s) {
-  return 3.0 / 64.0 * ((8.0 - 8.0 * s * s + 3.0 * std::pow(s, 4)) * std::asin(1.0 / s) + 3.0 * (2.0 - s * s) * std::sqrt(s * s - 1.0));
+  return 3.0 / 64.0 *
+         ((8.0 - 8.0 * s * s + 3.0 * std::pow(s, 4)) * std::asin(1.0 / s) +
+          3.0 * (2.0 - s * s) * std::sqrt(s * s - 1.0));
 }
 
 double flat_punch_moment(double s) {
@@ -48,10 +50,11 @@ struct PrintedForm {
   Exact (*truth)(double s);
 };
 
-const std::array<PrintedForm, 4> printed_forms{{{"hertz", hertz_moment, [](double s) { return exact_hertz(s).moment; }},
-                                                {"flat-punch", flat_punch_moment, [](double s) { return exact_flat_punch(s).moment; }},
-                                                {"uniform", uniform_moment, [](double s) { return exact_power(0.0, s).moment; }},
-                                                {"cone", cone_moment, [](double s) { return exact_cone(s).moment; }}}};
+const std::array<PrintedForm, 4> printed_forms{
+    {{"hertz", hertz_moment, [](double s) { return exact_hertz(s).moment; }},
+     {"flat-punch", flat_punch_moment, [](double s) { return exact_flat_punch(s).moment; }},
+     {"uniform", uniform_moment, [](double s) { return exact_power(0.0, s).moment; }},
+     {"cone", cone_moment, [](double s) { return exact_cone(s).moment; }}}};
 
 }  // namespace
 
@@ -72,7 +75,8 @@ Hazard moment_far_away() {
     }
     const double at = 1e4;
     found.findings.push_back({"closed form as s → ∞", std::string(form.law) + ", as printed",
-                              "relative error of m at s = 1e4 (ours: s ≤ 1e8)", relative_error(form.moment(at), form.truth(at)), worst});
+                              "relative error of m at s = 1e4 (ours: s ≤ 1e8)",
+                              relative_error(form.moment(at), form.truth(at)), worst});
   }
   for (std::size_t i = 0; i < cors.size(); ++i) figure.rows.push_back({"far", "limitcurve", cors[i], ours[i]});
   return found;

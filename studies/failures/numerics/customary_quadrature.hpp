@@ -14,7 +14,8 @@
 #include <vector>
 
 /// The usual good integration of eq. (17) with Boost: the angle by complete elliptic integrals of their modulus, the
-/// radius by a library's rule with a requested accuracy. It does not use the positions of the integrand's singularities.
+/// radius by a library's rule with a requested accuracy. It does not use the positions of the integrand's
+/// singularities.
 namespace limitcurve::stability::customary {
 
 using Function = std::function<double(double)>;

@@ -40,8 +40,8 @@ Hazard cor_near_the_axes() {
     usual = std::max(usual, off(ellipse.along(wrench).normal.cor()));
     ours = std::max(ours, off(table.along(wrench).normal.cor()));
   }
-  return {{{"COR implied by a fitted curve", "ellipse", "factor to the true COR minus 1 (flat punch, 1e-3 ≤ s ≤ 1e3; ours: table of 1e-8)",
-            usual, ours}},
+  return {{{"COR implied by a fitted curve", "ellipse",
+            "factor to the true COR minus 1 (flat punch, 1e-3 ≤ s ≤ 1e3; ours: table of 1e-8)", usual, ours}},
           {}};
 }
 
@@ -77,7 +77,9 @@ Hazard shape_and_radius() {
   std::vector<double> free_in_errors;
   for (int i = 0; i < sets; ++i) {
     const auto samples = measured(pad, random);
-    const auto in_errors = [&](const fit::Estimate& estimate) { return std::fabs(estimate.value - radius) / estimate.std_error; };
+    const auto in_errors = [&](const fit::Estimate& estimate) {
+      return std::fabs(estimate.value - radius) / estimate.std_error;
+    };
     assumed_in_errors.push_back(in_errors(fit::fit_contact(samples, fit::ContactModel::of(truth)).report.at("radius")));
     const fit::Estimate free = fit::fit_contact(samples, {fit::ContactModel::Kind::power}).report.at("radius");
     // A radius hidden by noise is reported as nan ± inf, which claims nothing.
@@ -85,7 +87,8 @@ Hazard shape_and_radius() {
   }
   const std::string data = " (95th percentile of 120 data sets of 100 slips, 1 % noise)";
   found.findings.push_back({"shape and radius not identifiable", "radius a reported, from a fit of n and a (ours: μ_r)",
-                            "relative error of the length reported" + data, quantile(radius_error, 0.95), quantile(ratio_error, 0.95)});
+                            "relative error of the length reported" + data, quantile(radius_error, 0.95),
+                            quantile(ratio_error, 0.95)});
   found.findings.push_back({"shape and radius not identifiable", "Hertz assumed for a uniform pressure (ours: n free)",
                             "error of the radius in standard errors stated" + data, quantile(assumed_in_errors, 0.95),
                             quantile(free_in_errors, 0.95)});

@@ -57,19 +57,24 @@ Hazard centre_under_the_finger() {
   constexpr int stretches = 80;
   constexpr int places = 10;
   for (int i = 0; i < stretches; ++i) {
-    // Drawn is the worst of an interval. An odd fraction of it: at "round" CORs the rule's points are accidentally good.
+    // Drawn is the worst of an interval. An odd fraction of it: at "round" CORs the rule's points are accidentally
+    // good.
     std::array<double, 3> here{};
     for (int k = 0; k < places; ++k) {
       const std::array errors = measure(2.0 * (i + (k + 0.3717) / places) / stretches);
       for (std::size_t j = 0; j < here.size(); ++j) raise(here[j], errors[j]);
     }
-    for (std::size_t j = 0; j < here.size(); ++j) figure.rows.push_back({"across", series[j], 2.0 * (i + 0.5) / stretches, here[j]});
+    for (std::size_t j = 0; j < here.size(); ++j)
+      figure.rows.push_back({"across", series[j], 2.0 * (i + 0.5) / stretches, here[j]});
   }
   for (const double distance : in_ratios(1e-15, 0.9, 60)) measure(1.0 - distance);
   const std::string quantity = "relative error of f at a requested 1e-9 (Hertz, 860 CORs)";
-  found.findings.push_back({"COR under the finger", "Boost's tanh-sinh over the whole radius", quantity, worst[0], worst[2]});
-  found.findings.push_back({"COR under the finger", "the same, its error estimate", "error / error stated", unstated, ours_unstated});
-  found.findings.push_back({"COR under the finger", "Gauss, 30 points over the whole radius", quantity, worst[1], worst[2]});
+  found.findings.push_back(
+      {"COR under the finger", "Boost's tanh-sinh over the whole radius", quantity, worst[0], worst[2]});
+  found.findings.push_back(
+      {"COR under the finger", "the same, its error estimate", "error / error stated", unstated, ours_unstated});
+  found.findings.push_back(
+      {"COR under the finger", "Gauss, 30 points over the whole radius", quantity, worst[1], worst[2]});
   return found;
 }
 
@@ -80,7 +85,9 @@ Hazard singular_rim() {
   constexpr std::array series{"tanh-sinh, split at s", "Gauss, 30 points, split at s", "limitcurve"};
   const auto errors = [](double n, double s) {
     const Exact truth = exact_power(n, s).force;
-    const customary::Function density = [n](double rho) { return rho < 1.0 ? (n + 1.0) * std::pow(1.0 - rho * rho, n) : 0.0; };
+    const customary::Function density = [n](double rho) {
+      return rho < 1.0 ? (n + 1.0) * std::pow(1.0 - rho * rho, n) : 0.0;
+    };
     const customary::Function integrand = customary::force_integrand(density, s);
     return std::array{relative_error(customary::tanh_sinh(integrand, customary::split_at(s)).value, truth),
                       relative_error(customary::gauss(integrand, customary::split_at(s)), truth),
@@ -94,15 +101,19 @@ Hazard singular_rim() {
     const auto at_place = errors(-0.9, s);
     for (std::size_t i = 0; i < series.size(); ++i) figure.rows.push_back({"cor", series[i], s, at_place[i]});
   }
-  for (const auto& [n, name] : {std::pair{-0.5, "flat punch"}, std::pair{-0.9, "n = −0.9"}, std::pair{-0.99, "n = −0.99"}}) {
+  for (const auto& [n, name] :
+       {std::pair{-0.5, "flat punch"}, std::pair{-0.9, "n = −0.9"}, std::pair{-0.99, "n = −0.99"}}) {
     std::array<double, 3> worst{};
     for (const double s : {0.1, 0.5, 0.9, 1.1, 2.0}) {
       const auto at_place = errors(n, s);
       for (std::size_t i = 0; i < worst.size(); ++i) raise(worst[i], at_place[i]);
     }
     const std::string quantity = std::string("relative error of f (") + name + ", at five CORs)";
-    found.findings.push_back({"pressure infinite at the rim", "Boost's tanh-sinh, split at s", quantity, worst[0], worst[2]});
-    if (n == -0.5) found.findings.push_back({"pressure infinite at the rim", "Gauss, 30 points, split at s", quantity, worst[1], worst[2]});
+    found.findings.push_back(
+        {"pressure infinite at the rim", "Boost's tanh-sinh, split at s", quantity, worst[0], worst[2]});
+    if (n == -0.5)
+      found.findings.push_back(
+          {"pressure infinite at the rim", "Gauss, 30 points, split at s", quantity, worst[1], worst[2]});
   }
   return found;
 }
@@ -132,7 +143,8 @@ Hazard kinks_of_a_profile() {
     const Exact exact = truth(s);
     const customary::Function integrand = customary::force_integrand([&](double rho) { return pressure(rho); }, s);
     const customary::Answer answer = customary::tanh_sinh(integrand, customary::split_at(s));
-    const std::array errors{relative_error(answer.value, exact), relative_error(customary::gauss(integrand, customary::split_at(s)), exact),
+    const std::array errors{relative_error(answer.value, exact),
+                            relative_error(customary::gauss(integrand, customary::split_at(s)), exact),
                             relative_error(our_force(told, s), exact)};
     for (std::size_t i = 0; i < errors.size(); ++i) raise(worst[i], errors[i]);
     raise(unstated, static_cast<double>(abs(Exact(answer.value - exact))) / std::max(answer.stated_error, 1e-300));
@@ -144,8 +156,8 @@ Hazard kinks_of_a_profile() {
   const std::string quantity = "relative error of f (a profile of five pieces, 100 CORs; ours knows the kinks)";
   const double ours = worst[2];
   found.findings.push_back({"kinks of a measured profile", "Boost's tanh-sinh, split at s", quantity, worst[0], ours});
-  found.findings.push_back({"kinks of a measured profile", "the same, its error estimate", "error / error stated (ours also if not told)",
-                            unstated, ours_unstated});
+  found.findings.push_back({"kinks of a measured profile", "the same, its error estimate",
+                            "error / error stated (ours also if not told)", unstated, ours_unstated});
   found.findings.push_back({"kinks of a measured profile", "Gauss, 30 points, split at s", quantity, worst[1], ours});
   return found;
 }

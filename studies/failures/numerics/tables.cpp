@@ -37,8 +37,9 @@ class EvenTable {
     const double t = (s - left) / step_;
     const UnitForces<double>& from = nodes_[i];
     const UnitForces<double>& to = nodes_[i + 1];
-    return {hermite(t, from.force, to.force, step_ * from.force_slope, step_ * to.force_slope),
-            hermite(t, from.moment, to.moment, -step_ * left * from.force_slope, -step_ * (left + step_) * to.force_slope)};
+    return {
+        hermite(t, from.force, to.force, step_ * from.force_slope, step_ * to.force_slope),
+        hermite(t, from.moment, to.moment, -step_ * left * from.force_slope, -step_ * (left + step_) * to.force_slope)};
   }
 
  private:
@@ -64,8 +65,8 @@ std::vector<std::pair<double, ExactWrench>> flat_punch_around_the_rim(double las
 }
 
 double absolute_error(UnitWrench wrench, const ExactWrench& exact) {
-  return std::max(
-      {static_cast<double>(abs(Exact(wrench.force - exact.force))), static_cast<double>(abs(Exact(wrench.moment - exact.moment))), 1e-17});
+  return std::max({static_cast<double>(abs(Exact(wrench.force - exact.force))),
+                   static_cast<double>(abs(Exact(wrench.moment - exact.moment))), 1e-17});
 }
 
 /// A value rounded to four decimals, as in a file.
@@ -77,7 +78,8 @@ double printed(double value) {
 using Polyline = std::vector<UnitWrench>;
 constexpr int polyline_points = 8001;
 
-/// A cubic spline of f and another of m over the spin fraction, through `nodes` even places, each value to four decimals.
+/// A cubic spline of f and another of m over the spin fraction, through `nodes` even places, each value to four
+/// decimals.
 Polyline splined(const PressureLaw& law, int nodes) {
   std::vector<double> force;
   std::vector<double> moment;
@@ -96,7 +98,8 @@ Polyline splined(const PressureLaw& law, int nodes) {
 
 Polyline tabulated(const Table& table) {
   Polyline points;
-  for (const double u : evenly(0.0, 1.0, polyline_points)) points.push_back(table.wrench(SlipTwist::of_spin_fraction(u)));
+  for (const double u : evenly(0.0, 1.0, polyline_points))
+    points.push_back(table.wrench(SlipTwist::of_spin_fraction(u)));
   return points;
 }
 
@@ -104,15 +107,16 @@ double power(UnitWrench wrench, double u) {
   return (1.0 - u) * wrench.force + u * wrench.moment;
 }
 
-/// Wrenches at which a finger can rest under one steady twist, if each step moves its wrench to the closest point of the curve: local maxima of
-/// the dissipated power. The most, of 99 twists.
+/// Wrenches at which a finger can rest under one steady twist, if each step moves its wrench to the closest point of
+/// the curve: local maxima of the dissipated power. The most, of 99 twists.
 double rests(const Polyline& curve) {
   int most = 0;
   for (const double u : evenly(0.01, 0.99, 99)) {
     int count = 0;
     for (std::size_t i = 0; i < curve.size(); ++i) {
       const double here = power(curve[i], u);
-      if ((i == 0 || here > power(curve[i - 1], u)) && (i + 1 == curve.size() || here >= power(curve[i + 1], u))) ++count;
+      if ((i == 0 || here > power(curve[i - 1], u)) && (i + 1 == curve.size() || here >= power(curve[i + 1], u)))
+        ++count;
     }
     most = std::max(most, count);
   }
@@ -151,9 +155,10 @@ Hazard even_spacing() {
   const auto nodes = static_cast<int>(8 * table.cell_count() / 3);
   const double ours = worst_of([&](double s) { return table.wrench(SlipTwist::about_cor(s)); });
   found.findings.push_back({"even spacing across the rim", "cubic Hermite, exact slopes, even nodes in s ≤ 3",
-                            "largest error of f and m (flat punch, as many numbers as our table of 1e-8)", even_error(nodes), ours});
-  found.findings.push_back(
-      {"even spacing across the rim", "the same with 1000 nodes", "largest error of f and m (flat punch)", even_error(1000), ours});
+                            "largest error of f and m (flat punch, as many numbers as our table of 1e-8)",
+                            even_error(nodes), ours});
+  found.findings.push_back({"even spacing across the rim", "the same with 1000 nodes",
+                            "largest error of f and m (flat punch)", even_error(1000), ours});
   return found;
 }
 
@@ -169,8 +174,9 @@ Hazard beyond_the_last_node() {
   const Table table = Table::build(law, 1e-8);
   const auto errors = [&](double s) {
     const Exact truth = exact_hertz(s).moment;
-    return std::array{relative_error(even.wrench(std::min(s, last)).moment, truth), relative_error(even.wrench(s).moment, truth),
-                      relative_error(spline(s), truth), relative_error(table.wrench(SlipTwist::about_cor(s)).moment, truth)};
+    return std::array{relative_error(even.wrench(std::min(s, last)).moment, truth),
+                      relative_error(even.wrench(s).moment, truth), relative_error(spline(s), truth),
+                      relative_error(table.wrench(SlipTwist::about_cor(s)).moment, truth)};
   };
   constexpr std::array series{"last value held", "last cubic extrapolated", "Boost's cubic spline"};
   double ours = 0.0;
@@ -187,7 +193,8 @@ Hazard false_equilibria() {
   double usual = 0.0;
   double ours = 0.0;
   for (const int nodes : {17, 33, 65, 129, 257, 513}) usual = std::max(usual, rests(splined(*hertz(), nodes)));
-  for (const double tolerance : in_ratios(1e-2, 1e-10, 9)) ours = std::max(ours, rests(tabulated(Table::build(hertz(), tolerance))));
+  for (const double tolerance : in_ratios(1e-2, 1e-10, 9))
+    ours = std::max(ours, rests(tabulated(Table::build(hertz(), tolerance))));
   return {{{"interpolant not convex", "cubic splines of f and m through values of four decimals",
             "equilibrium wrenches of one steady twist", usual, ours}},
           {}};

@@ -36,7 +36,8 @@ ExactWrench exact_power(double exponent, double distance) {
   const Exact half = 0.5;
   if (s <= 1) {
     const Exact m0 = tgamma(Exact(1.5)) * tgamma(Exact(n + 2)) / tgamma(Exact(n + 2.5));
-    return {(n + 1.5) * m0 * s * hypergeometric(half, -n - half, 2, s * s), m0 * hypergeometric(half, -n - 1.5, 1, s * s)};
+    return {(n + 1.5) * m0 * s * hypergeometric(half, -n - half, 2, s * s),
+            m0 * hypergeometric(half, -n - 1.5, 1, s * s)};
   }
   const Exact z = 1 / (s * s);
   return {hypergeometric(-half, half, n + 2, z), hypergeometric(half, half, n + 3, z) / (2 * (n + 2) * s)};
@@ -48,7 +49,8 @@ ExactWrench exact_hertz(double distance) {
   if (s <= 1) return {3 * pi / 8 * s * (1 - z / 4), 3 * pi / 16 * (1 - z + Exact(3) / 8 * z * z)};
   const Exact angle = asin(Exact(1 / s));
   const Exact root = sqrt(Exact(z - 1));
-  return {3 / (16 * s) * (z * (4 - z) * angle + (z + 2) * root), Exact(3) / 64 * ((8 - 8 * z + 3 * z * z) * angle + 3 * (2 - z) * root)};
+  return {3 / (16 * s) * (z * (4 - z) * angle + (z + 2) * root),
+          Exact(3) / 64 * ((8 - 8 * z + 3 * z * z) * angle + 3 * (2 - z) * root)};
 }
 
 ExactWrench exact_flat_punch(double distance) {

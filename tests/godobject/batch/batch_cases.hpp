@@ -35,16 +35,18 @@ std::vector<Case<Real>> cases() {
   with_coefficients.mu_r_dynamic = 0.001;
   FingerParameters growing = with_coefficients;
   growing.gamma = 0.259;
-  std::vector<Case<Real>> result{{"box", box(1.0, m0), parameters()},
-                                 {"table, stiff twist", table, parameters(0.6, 0.005, 1000.0, 0.4)},
-                                 {"table, soft twist", table, parameters(0.6, 0.005, 1000.0, 0.001)},
-                                 {"table, no torsion", table, without_torsion},
-                                 {"table, two moment coefficients", table, with_coefficients},
-                                 {"box, two moment coefficients", box(1.0, m0), with_coefficients},
-                                 {"table, moment coefficients that grow with the load", table, growing},
-                                 {"ellipse, moment coefficients that grow with the load", ellipse, growing, Projection::radial}};
+  std::vector<Case<Real>> result{
+      {"box", box(1.0, m0), parameters()},
+      {"table, stiff twist", table, parameters(0.6, 0.005, 1000.0, 0.4)},
+      {"table, soft twist", table, parameters(0.6, 0.005, 1000.0, 0.001)},
+      {"table, no torsion", table, without_torsion},
+      {"table, two moment coefficients", table, with_coefficients},
+      {"box, two moment coefficients", box(1.0, m0), with_coefficients},
+      {"table, moment coefficients that grow with the load", table, growing},
+      {"ellipse, moment coefficients that grow with the load", ellipse, growing, Projection::radial}};
   // A table with several cells in a bucket.
-  const std::array<PressureSample, 6> jumps{{{0.0, 1.0}, {0.37, 1.0}, {0.37, 0.4}, {0.71, 0.4}, {0.71, 0.9}, {1.0, 0.3}}};
+  const std::array<PressureSample, 6> jumps{
+      {{0.0, 1.0}, {0.37, 1.0}, {0.37, 0.4}, {0.71, 0.4}, {0.71, 0.9}, {1.0, 0.3}}};
   const auto searched = BasicTable<Real>::build(samples(jumps, "jumps"), sizeof(Real) == sizeof(float) ? 1e-6 : 1e-10);
   result.push_back({"table of jumps", searched, parameters()});
   for (const Projection projection : projections) {
@@ -73,8 +75,8 @@ template <class Real>
 std::vector<Real> written(const BasicContactBatch<Real>& batch) {
   std::vector<Real> result;
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    for (const auto& array :
-         {batch.proxy_x, batch.proxy_y, batch.proxy_angle, batch.fx, batch.fy, batch.moment, batch.search_start, batch.search_rate}) {
+    for (const auto& array : {batch.proxy_x, batch.proxy_y, batch.proxy_angle, batch.fx, batch.fy, batch.moment,
+                              batch.search_start, batch.search_rate}) {
       result.push_back(array[i]);
     }
     result.push_back(static_cast<Real>(batch.state[i]));

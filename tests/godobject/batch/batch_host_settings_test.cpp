@@ -25,7 +25,8 @@ std::vector<double> batch_forces(const FingerCurve& curve, const FingerParameter
     }
     batch.step(contacts);
     for (std::size_t i = 0; i < count; ++i) {
-      result.insert(result.end(), {contacts.fx[i], contacts.fy[i], contacts.moment[i], contacts.proxy_x[i], contacts.proxy_angle[i]});
+      result.insert(result.end(),
+                    {contacts.fx[i], contacts.fy[i], contacts.moment[i], contacts.proxy_x[i], contacts.proxy_angle[i]});
     }
   }
   return result;
@@ -43,7 +44,8 @@ TEST(HostSettings, ABatchFeelsTheSameUnderAnyRounding) {
           other = batch_forces(curve, with.finger, choice.projection);
         }
         for (std::size_t i = 0; i < nearest.size(); ++i) {
-          ASSERT_NEAR(nearest[i], other[i], 1e-9) << choice.name() << ", " << with.name << ", " << setting.name << ' ' << i;
+          ASSERT_NEAR(nearest[i], other[i], 1e-9)
+              << choice.name() << ", " << with.name << ", " << setting.name << ' ' << i;
         }
       }
     }

@@ -36,7 +36,8 @@ TYPED_TEST(BatchInput, WhatIsNotUsableTouchesNothingAndItsNeighboursNeither) {
     const std::vector<Real> before = written(arrays.batch());
     move_all(arrays, random, 1e-3);
     BasicContactArrays<Real> sound = arrays;
-    for (std::size_t i = 0; i < 16; ++i) std::array{arrays.x(), arrays.y(), arrays.twist(), arrays.depth()}[i % 4][8 * i] = nonsense[i / 4];
+    for (std::size_t i = 0; i < 16; ++i)
+      std::array{arrays.x(), arrays.y(), arrays.twist(), arrays.depth()}[i % 4][8 * i] = nonsense[i / 4];
     batch.step(arrays.batch());
     batch.step(sound.batch());
     const std::vector<Real> spoilt = written(arrays.batch());
@@ -62,8 +63,9 @@ TYPED_TEST(BatchInput, AFaultHoldsTheGrip) {
     const auto step = [&](BasicContactArrays<Real>& one) { batch.step(one.batch()); };
     for (int round = 0; round < 20; ++round) {
       move_all(arrays, random, 1e-3);
-      for (const auto& [to, from] : {std::pair(undisturbed.x(), arrays.x()), std::pair(undisturbed.y(), arrays.y()),
-                                     std::pair(undisturbed.twist(), arrays.twist()), std::pair(undisturbed.depth(), arrays.depth())}) {
+      for (const auto& [to, from] :
+           {std::pair(undisturbed.x(), arrays.x()), std::pair(undisturbed.y(), arrays.y()),
+            std::pair(undisturbed.twist(), arrays.twist()), std::pair(undisturbed.depth(), arrays.depth())}) {
         std::ranges::copy(from, to.begin());
       }
       step(arrays);
@@ -71,7 +73,8 @@ TYPED_TEST(BatchInput, AFaultHoldsTheGrip) {
       ASSERT_EQ(written(arrays.batch()), written(undisturbed.batch())) << with.name << ' ' << round;
       std::ranges::fill(arrays.depth(), std::numeric_limits<Real>::quiet_NaN());
       step(arrays);
-      for (const ContactState state : arrays.batch().state) ASSERT_EQ(state, ContactState::invalid) << with.name << ' ' << round;
+      for (const ContactState state : arrays.batch().state)
+        ASSERT_EQ(state, ContactState::invalid) << with.name << ' ' << round;
     }
   }
 }
@@ -134,7 +137,8 @@ TYPED_TEST(BatchInput, StepsFingersOfAnyScale) {
     batch.step(arrays.batch());
     const double unit = 1.2 * scale;
     const BasicContactBatch<Real> result = arrays.batch();
-    const double gauge = table.gauge({std::fabs(double{result.fx[2]}) / unit, std::fabs(double{result.moment[2]}) / (0.005 * unit)});
+    const double gauge =
+        table.gauge({std::fabs(double{result.fx[2]}) / unit, std::fabs(double{result.moment[2]}) / (0.005 * unit)});
     EXPECT_NEAR(gauge, 1.0, sizeof(Real) == sizeof(double) ? 1e-14 : 1e-6) << scale;
   }
 }

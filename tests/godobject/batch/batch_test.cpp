@@ -31,7 +31,8 @@ TEST(Batch, DoesWhatSoftFingersDo) {
       move_all(arrays, random, 1e-2);
       batch.step(result);
       for (std::size_t i = 0; i < count; ++i) {
-        const FingerOutput output = fingers[i].update(on_plane(result.x[i], result.y[i], result.depth[i]), result.twist[i]);
+        const FingerOutput output =
+            fingers[i].update(on_plane(result.x[i], result.y[i], result.depth[i]), result.twist[i]);
         ASSERT_EQ(result.state[i], output.state) << with.name << ' ' << round << ' ' << i;
         const double limit = 1e-12 * with.with.mu * output.load;
         ASSERT_NEAR(result.fx[i], output.force.x(), limit) << with.name << ' ' << round << ' ' << i;
@@ -98,13 +99,16 @@ TYPED_TEST(BatchOf, SlipBeginsOnTheCurve) {
       const double unit = share * with.with.mu * load;
       for (std::size_t i = 0; i < count; ++i) {
         const double angle = 0.5 * std::numbers::pi * (static_cast<double>(i) + 0.5) / count;
-        const UnitWrench limit = with.curve.along({std::cos(angle), with.curve.moment_ratio() * std::sin(angle)}).wrench;
+        const UnitWrench limit =
+            with.curve.along({std::cos(angle), with.curve.moment_ratio() * std::sin(angle)}).wrench;
         arrays.y()[i] = static_cast<Real>(limit.force * unit / with.with.stiffness);
-        arrays.twist()[i] = static_cast<Real>(limit.moment * unit * with.with.radius_law.radius(load) / with.with.twist_stiffness);
+        arrays.twist()[i] =
+            static_cast<Real>(limit.moment * unit * with.with.radius_law.radius(load) / with.with.twist_stiffness);
       }
       batch.step(arrays.batch());
       const ContactState expected = share < 1.0 ? ContactState::stick : ContactState::slip;
-      EXPECT_EQ(std::ranges::count(arrays.batch().state, expected), static_cast<int>(count)) << with.name << ' ' << share;
+      EXPECT_EQ(std::ranges::count(arrays.batch().state, expected), static_cast<int>(count))
+          << with.name << ' ' << share;
     }
   }
 }
@@ -125,7 +129,8 @@ TYPED_TEST(BatchOf, SlipWorkIsNeverNegativeAndTheWrenchIsWithinTheLimit) {
       const std::vector<Real> before = written(result);
       batch.step(result);
       for (std::size_t i = 0; i < count; ++i) {
-        ASSERT_TRUE(std::isfinite(result.fx[i]) && std::isfinite(result.fy[i]) && std::isfinite(result.moment[i])) << with.name;
+        ASSERT_TRUE(std::isfinite(result.fx[i]) && std::isfinite(result.fy[i]) && std::isfinite(result.moment[i]))
+            << with.name;
         if (!(result.depth[i] > Real(0))) continue;
         const Real* const last = &before[i * numbers_per_contact];
         // Each component for itself: the proxy comes nearer, against the force on the user.
@@ -149,8 +154,8 @@ TYPED_TEST(BatchOf, SlipWorkIsNeverNegativeAndTheWrenchIsWithinTheLimit) {
   }
 }
 
-// Dragged into slipping, then held where they are: from the next step on nothing moves. Far out too, where a float resolves a tenth of
-// a micrometre, which is a large share of what slides there.
+// Dragged into slipping, then held where they are: from the next step on nothing moves. Far out too, where a float
+// resolves a tenth of a micrometre, which is a large share of what slides there.
 TYPED_TEST(BatchOf, AHeldContactKeepsEveryBit) {
   using Real = TypeParam;
   constexpr std::size_t count = 1001;
@@ -196,7 +201,8 @@ TYPED_TEST(BatchOf, AProxyThatIsNaNIsAFaultUntilTheContactEnds) {
     Random random(29);
     BasicContactArrays<Real> arrays(count);
     const BasicContactBatch<Real> contacts = arrays.batch();
-    const std::array memory{contacts.proxy_x, contacts.proxy_y, contacts.proxy_angle, contacts.search_start, contacts.search_rate};
+    const std::array memory{contacts.proxy_x, contacts.proxy_y, contacts.proxy_angle, contacts.search_start,
+                            contacts.search_rate};
     const auto step = [&](double depth) {
       std::ranges::fill(arrays.depth(), static_cast<Real>(depth));
       for (Real& x : arrays.x()) x = static_cast<Real>(random.uniform(-2e-3, 2e-3));
@@ -204,20 +210,24 @@ TYPED_TEST(BatchOf, AProxyThatIsNaNIsAFaultUntilTheContactEnds) {
       batch.step(contacts);
     };
     const auto is_number = [](Real number) { return std::isfinite(number) && std::fabs(number) < Real(1e6); };
-    for (const Real odd : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), (Limits::max)(), Limits::lowest()}) {
+    for (const Real odd :
+         {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), (Limits::max)(), Limits::lowest()}) {
       for (std::size_t broken = 0; broken < memory.size(); ++broken) {
         step(0.002);
         for (std::size_t i = 0; i < count; i += 3) memory[broken][i] = odd;
         for (int again = 0; again < 2; ++again) {
           step(0.002);
           for (std::size_t i = 0; i < count; ++i) {
-            ASSERT_EQ(contacts.state[i] == ContactState::invalid, broken < 3 && i % 3 == 0) << with.name << ' ' << broken << ' ' << odd;
-            ASSERT_TRUE(is_number(contacts.fx[i]) && is_number(contacts.fy[i]) && is_number(contacts.moment[i])) << with.name;
+            ASSERT_EQ(contacts.state[i] == ContactState::invalid, broken < 3 && i % 3 == 0)
+                << with.name << ' ' << broken << ' ' << odd;
+            ASSERT_TRUE(is_number(contacts.fx[i]) && is_number(contacts.fy[i]) && is_number(contacts.moment[i]))
+                << with.name;
           }
         }
         step(-0.002);
         EXPECT_EQ(std::ranges::count(contacts.state, ContactState::free), static_cast<int>(count)) << with.name;
-        for (std::size_t proxy = 0; proxy < 3; ++proxy) EXPECT_TRUE(std::ranges::all_of(memory[proxy], is_number)) << with.name;
+        for (std::size_t proxy = 0; proxy < 3; ++proxy)
+          EXPECT_TRUE(std::ranges::all_of(memory[proxy], is_number)) << with.name;
         std::ranges::fill(contacts.search_start, Real(0));
         std::ranges::fill(contacts.search_rate, Real(0));
       }
@@ -253,8 +263,10 @@ void expect_batch_of_fingers(double tolerance) {
       ASSERT_EQ(contacts.state[i], output.state) << step << ' ' << i;
       ASSERT_NEAR(double{contacts.fx[i]}, output.force.x(), tolerance) << step << ' ' << i;
       ASSERT_NEAR(double{contacts.moment[i]}, output.moment, 0.005 * tolerance) << step << ' ' << i;
-      ASSERT_EQ(contacts.force_slides[i] == ContactState::slip, fingers[i].state().friction.force_slides) << step << ' ' << i;
-      ASSERT_EQ(contacts.moment_slides[i] == ContactState::slip, fingers[i].state().friction.moment_slides) << step << ' ' << i;
+      ASSERT_EQ(contacts.force_slides[i] == ContactState::slip, fingers[i].state().friction.force_slides)
+          << step << ' ' << i;
+      ASSERT_EQ(contacts.moment_slides[i] == ContactState::slip, fingers[i].state().friction.moment_slides)
+          << step << ' ' << i;
       only_one += (contacts.force_slides[i] == ContactState::slip) != (contacts.moment_slides[i] == ContactState::slip);
     }
   }

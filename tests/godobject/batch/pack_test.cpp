@@ -21,7 +21,8 @@ namespace {
 
 using kernel::InstructionSet;
 
-constexpr std::array all_sets{InstructionSet::single, InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
+constexpr std::array all_sets{InstructionSet::single, InstructionSet::baseline, InstructionSet::avx2,
+                              InstructionSet::avx512};
 
 std::string name_of(InstructionSet set) {
   return std::array{"single", "baseline", "avx2", "avx512"}[static_cast<std::size_t>(set)];
@@ -30,7 +31,8 @@ std::string name_of(InstructionSet set) {
 /// The arrays of a batch that a step writes.
 template <class Real>
 std::array<std::span<Real>, 8> outputs(const BasicContactBatch<Real>& batch) {
-  return {batch.proxy_x, batch.proxy_y, batch.proxy_angle, batch.search_start, batch.search_rate, batch.fx, batch.fy, batch.moment};
+  return {batch.proxy_x,     batch.proxy_y, batch.proxy_angle, batch.search_start,
+          batch.search_rate, batch.fx,      batch.fy,          batch.moment};
 }
 
 template <class Real>
@@ -102,7 +104,8 @@ TYPED_TEST(Packs, GiveTheBitsOfSingleNumbers) {
   all.push_back({"no friction", all.back().curve, parameters(0.0)});
   for (const Case<Real>& with : all) {
     const ContactLimits limits(with.with, with.curve.moment_max());
-    const kernel::Shared<Real> shared{with.curve.view(), with.projection, limits, static_cast<Real>(with.with.stiffness),
+    const kernel::Shared<Real> shared{with.curve.view(), with.projection, limits,
+                                      static_cast<Real>(with.with.stiffness),
                                       static_cast<Real>(with.with.twist_stiffness)};
     Motion motion;
     std::vector<BasicContactArrays<Real>> arrays(all_sets.size(), BasicContactArrays<Real>(count));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Faults of the first edition on curved surfaces: twist without rotation, and energy gain on a closed path. The test computes work and
-// spin independently: from forces along the finger's path, and from angles in closed form.
+// Faults of the first edition on curved surfaces: twist without rotation, and energy gain on a closed path. The test
+// computes work and spin independently: from forces along the finger's path, and from angles in closed form.
 #include "godobject/body/grasp.hpp"
 #include "godobject/godobject.hpp"
 #include "godobject/surfaces/surfaces.hpp"
@@ -42,7 +42,8 @@ struct Work {
     const Vector3d moment = output.moment_vector();
     if (known_) {
       const AngleAxisd turn(to.orientation * last_.orientation.conjugate());
-      sum += 0.5 * (force + force_).dot(to.position - last_.position) + 0.5 * (moment + moment_).dot(turn.axis() * turn.angle());
+      sum += 0.5 * (force + force_).dot(to.position - last_.position) +
+             0.5 * (moment + moment_).dot(turn.axis() * turn.angle());
       all_stick = all_stick && output.state == ContactState::stick;
     }
     last_ = to;
@@ -58,8 +59,8 @@ struct Work {
   bool known_ = false;
 };
 
-// Point 1: on a circle of latitude θ from the pole, with the axes of longitude and latitude for orientation, a finger turns about the pole's
-// axis by 2π, of which cos θ about the normal; and one that keeps its orientation does not turn.
+// Point 1: on a circle of latitude θ from the pole, with the axes of longitude and latitude for orientation, a finger
+// turns about the pole's axis by 2π, of which cos θ about the normal; and one that keeps its orientation does not turn.
 TEST(CurvedSurface, ACircleOfLatitudeTwistsByItsHolonomy) {
   const AnySurface ball(SphereSurface(0.05));
   for (const double theta : {0.05, 0.7, 1.5, 2.5}) {
@@ -67,8 +68,8 @@ TEST(CurvedSurface, ACircleOfLatitudeTwistsByItsHolonomy) {
     SoftFinger still = finger_of(skin());
     for (int i = 0; i <= 500; ++i) {
       const double longitude = 2.0 * pi * i / 500.0;
-      const Vector3d place =
-          0.0485 * Vector3d(std::sin(theta) * std::cos(longitude), std::sin(theta) * std::sin(longitude), std::cos(theta));
+      const Vector3d place = 0.0485 * Vector3d(std::sin(theta) * std::cos(longitude),
+                                               std::sin(theta) * std::sin(longitude), std::cos(theta));
       turning.update(ball, {place, about(Vector3d::UnitZ(), longitude) * about(Vector3d::UnitY(), theta)});
       still.update(ball, {place, about(Vector3d(1.0, 2.0, 3.0).normalized(), 1.0)});
     }
@@ -77,16 +78,17 @@ TEST(CurvedSurface, ACircleOfLatitudeTwistsByItsHolonomy) {
   }
 }
 
-// Points 1 and 10: a stuck finger on a plane, wound up, cones about the normal at a tilt of 0.3 rad. What it feeds to its user in each turn is
-// what its springs lose.
+// Points 1 and 10: a stuck finger on a plane, wound up, cones about the normal at a tilt of 0.3 rad. What it feeds to
+// its user in each turn is what its springs lose.
 TEST(CurvedSurface, ConingFeedsNothingButTheSprings) {
   FingerParameters with = skin();
   with.mu = 50.0;
   SoftFinger finger = finger_of(with);
   const AnySurface plane(PlaneSurface{});
   const auto pose = [](double phase, double wound) {
-    return DevicePose{{0.0, 0.0, -0.002},
-                      about(Vector3d::UnitZ(), phase) * about(Vector3d::UnitY(), 0.3) * about(Vector3d::UnitZ(), wound - phase)};
+    return DevicePose{
+        {0.0, 0.0, -0.002},
+        about(Vector3d::UnitZ(), phase) * about(Vector3d::UnitY(), 0.3) * about(Vector3d::UnitZ(), wound - phase)};
   };
   for (int i = 0; i <= 100; ++i) finger.update(plane, pose(0.0, 0.5 * i / 100.0));
   const double begin = finger.spring_energy();
@@ -115,8 +117,8 @@ TEST(CurvedSurface, DampedFrictionIsTangent) {
   }
 }
 
-// Whatever contacts a host gives one after the other: the load is at most k_l d (1 + μ), which friction holds, and the held force gains at
-// most ½ k_l |Δx|² in a sample.
+// Whatever contacts a host gives one after the other: the load is at most k_l d (1 + μ), which friction holds, and the
+// held force gains at most ½ k_l |Δx|² in a sample.
 TEST(CurvedSurface, NoContactsBearMoreThanFrictionHolds) {
   Random random(9);
   for (int run = 0; run < 300; ++run) {
@@ -143,7 +145,8 @@ TEST(CurvedSurface, NoContactsBearMoreThanFrictionHolds) {
   }
 }
 
-// A finger drops down a step of 5 mm, from tread to tread in one sample or in many: it rests there, and bears what friction holds.
+// A finger drops down a step of 5 mm, from tread to tread in one sample or in many: it rests there, and bears what
+// friction holds.
 TEST(CurvedSurface, AStairKeepsNoSpringsOfTheUpperTread) {
   for (const double mu : {0.0, 0.1, 0.6}) {
     for (const double depth : {1e-4, 0.002}) {
@@ -195,7 +198,8 @@ TEST(CurvedSurface, ACornerKeepsItsSticks) {
   EXPECT_LT(lowered, sticks / 500);
 }
 
-// Point 7: a ball of 0.1 kg between fingers on its surface loses energy in every slip. In the first edition it gained 8e-5 of it in a step.
+// Point 7: a ball of 0.1 kg between fingers on its surface loses energy in every slip. In the first edition it gained
+// 8e-5 of it in a step.
 TEST(CurvedSurface, ABallBetweenFingersNeverWinsEnergy) {
   Random random(8);
   for (int scene = 0; scene < 40; ++scene) {
@@ -227,8 +231,9 @@ TEST(CurvedSurface, ABallBetweenFingersNeverWinsEnergy) {
   }
 }
 
-// A ball that does not turn slides past a finger at rest: the normal at the end of a step acts on all of it. What this adds to the energy is within
-// the bound of godobject/README.md ("Energy"), and half the time step adds half as much in all.
+// A ball that does not turn slides past a finger at rest: the normal at the end of a step acts on all of it. What this
+// adds to the energy is within the bound of godobject/README.md ("Energy"), and half the time step adds half as much in
+// all.
 TEST(CurvedSurface, ABallThatSlidesPastGainsWhatIsSaid) {
   for (const double mu : {0.0, 0.01, 0.3}) {
     for (const double depth : {0.0005, 0.004, 0.012}) {
@@ -237,8 +242,10 @@ TEST(CurvedSurface, ABallThatSlidesPastGainsWhatIsSaid) {
           BodyParameters body = BodyParameters::ball(0.1, 0.03);
           body.gravity.setZero();
           body.free = {true, true, true, false, false, false};
-          Grasp grasp(body, BodyState{}, AnySurface(SphereSurface(0.03)), {finger_of(parameters(mu)), finger_of(parameters(mu))});
-          const std::array<DevicePose, 2> devices{DevicePose{{0.0, 0.0, 0.03 - depth}}, DevicePose{{0.0, 0.0, depth - 0.03}}};
+          Grasp grasp(body, BodyState{}, AnySurface(SphereSurface(0.03)),
+                      {finger_of(parameters(mu)), finger_of(parameters(mu))});
+          const std::array<DevicePose, 2> devices{DevicePose{{0.0, 0.0, 0.03 - depth}},
+                                                  DevicePose{{0.0, 0.0, depth - 0.03}}};
           BodyState start;
           start.position.x() = 0.005;
           grasp.place(start, devices);
@@ -272,7 +279,8 @@ TEST(CurvedSurface, ABallThatSlidesPastGainsWhatIsSaid) {
   }
 }
 
-// Round a rod of eight edges, just below its faces: no friction is left along the normal of the next face, and no edge gives energy.
+// Round a rod of eight edges, just below its faces: no friction is left along the normal of the next face, and no edge
+// gives energy.
 TEST(CurvedSurface, AnEdgeTurnsFrictionIntoTheNextFace) {
   constexpr double face_angle = 0.25 * std::numbers::pi;
   SoftFinger finger = finger_of(skin());

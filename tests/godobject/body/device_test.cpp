@@ -24,8 +24,8 @@ SoftFinger finger_of(const FingerParameters& with) {
   return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
 }
 
-// Point 2: at 5 mm/s friction is dynamic for any resolution, rate and noise of the device. The first edition gave a saw-tooth with the
-// mean 0.449.
+// Point 2: at 5 mm/s friction is dynamic for any resolution, rate and noise of the device. The first edition gave a
+// saw-tooth with the mean 0.449.
 TEST(Device, ASampleThatRepeatsOrIsNoisyDoesNotBringASlidingFingerToRest) {
   struct Kind {
     const char* name;
@@ -37,9 +37,11 @@ TEST(Device, ASampleThatRepeatsOrIsNoisyDoesNotBringASlidingFingerToRest) {
       {"encoder of 10 um", [](int i, auto&) { return Vector3d(1e-5 * std::round(0.5 * i), 0.0, -0.0015); }, 1e-6},
       {"half the rate", [](int i, auto&) { return Vector3d(5e-6 * (i / 2 * 2), 0.0, -0.0015); }, 1e-6},
       // Where noise takes the finger back by 3 um of 450, the force falls by as much.
-      {"3 um of noise", [&](int i, auto& random) { return Vector3d(5e-6 * i + 3e-6 * normal(random), 0.0, -0.0015); }, 0.001},
+      {"3 um of noise", [&](int i, auto& random) { return Vector3d(5e-6 * i + 3e-6 * normal(random), 0.0, -0.0015); },
+       0.001},
       // At 50 um more depth the limit is 3.3 % above the trial.
-      {"50 um of noise in depth", [&](int i, auto& random) { return Vector3d(5e-6 * i, 0.0, -0.0015 + 5e-5 * normal(random)); }, 0.01}};
+      {"50 um of noise in depth",
+       [&](int i, auto& random) { return Vector3d(5e-6 * i, 0.0, -0.0015 + 5e-5 * normal(random)); }, 0.01}};
   for (const Kind& kind : kinds) {
     std::mt19937 random(1);
     FingerParameters with = skin();
@@ -57,7 +59,8 @@ TEST(Device, ASampleThatRepeatsOrIsNoisyDoesNotBringASlidingFingerToRest) {
   }
 }
 
-/// The times at which a mass on a drive spring, rubbed by a finger at rest, begins to slip. The mass is moved here, by exact steps of its free motion.
+/// The times at which a mass on a drive spring, rubbed by a finger at rest, begins to slip. The mass is moved here, by
+/// exact steps of its free motion.
 std::vector<double> slips_of_a_mass(double mu, double mu_dynamic, double rest_margin) {
   constexpr double mass = 0.1, drive = 50.0, speed = 0.01, time_step = 2e-5, end = 14.0;  // [kg, N/m, m/s, s, s]
   FingerParameters with = skin();
@@ -75,7 +78,8 @@ std::vector<double> slips_of_a_mass(double mu, double mu_dynamic, double rest_ma
   for (double time = 0.0; time < end; time += time_step) {
     const FingerOutput output = finger.update(on_plane(place, 0.0, depth), 0.0);
     velocity += time_step / mass * (drive * (speed * time - place) + output.force.x());
-    velocity *= 1.0 - 2.0 * time_step * (output.state == ContactState::stick ? 20.0 : 0.0);  // the skin damps what it holds
+    velocity *=
+        1.0 - 2.0 * time_step * (output.state == ContactState::stick ? 20.0 : 0.0);  // the skin damps what it holds
     place += time_step * velocity;
     const bool slips = output.state == ContactState::slip;
     if (slips && !slipped && time - last_slip > 0.05) begins.push_back(time);
@@ -85,13 +89,15 @@ std::vector<double> slips_of_a_mass(double mu, double mu_dynamic, double rest_ma
   return begins;
 }
 
-// Point 2: a mass pulled at v by a spring k sticks until k x = μ P, slips with μ_d P for half of its natural period, and sticks again:
-// the period is 2 (μ − μ_d) P/(k v) + π √(m/k), and 2/ω atan2 … for the drive's way during the slip. (Popp, Stelter 1990; v small against it.)
+// Point 2: a mass pulled at v by a spring k sticks until k x = μ P, slips with μ_d P for half of its natural period,
+// and sticks again: the period is 2 (μ − μ_d) P/(k v) + π √(m/k), and 2/ω atan2 … for the drive's way during the slip.
+// (Popp, Stelter 1990; v small against it.)
 TEST(Device, StickSlipOfAMassKeepsItsPeriod) {
   for (const auto& [mu, mu_dynamic] : {std::pair{0.6, 0.4}, {0.6, 0.3}, {0.6, 0.55}}) {
     constexpr double mass = 0.1, drive = 50.0, speed = 0.01, load = 2.0;
     const double omega = std::sqrt(drive / mass);
-    // While it slips, relative to the drive: u'' = −ω²(u − μ_d P/k), from u = μP/k and u' = v; it sticks when u' is v again.
+    // While it slips, relative to the drive: u'' = −ω²(u − μ_d P/k), from u = μP/k and u' = v; it sticks when u' is v
+    // again.
     const double jump = (mu - mu_dynamic) * load / drive;
     const double slip_time = 2.0 / omega * (std::numbers::pi - std::atan2(jump * omega, speed));
     const double period = 2.0 * jump / speed + slip_time;
@@ -102,8 +108,9 @@ TEST(Device, StickSlipOfAMassKeepsItsPeriod) {
   }
 }
 
-// Point 9: one sample far away, refused, leaves no trace: afterwards the finger is where it was, on the face where it was. The finger keeps what the
-// surface remembers; the first edition's finger was pushed out of the wrong face with 60 N.
+// Point 9: one sample far away, refused, leaves no trace: afterwards the finger is where it was, on the face where it
+// was. The finger keeps what the surface remembers; the first edition's finger was pushed out of the wrong face with 60
+// N.
 TEST(Device, ARefusedSampleLeavesTheSurfacesMemory) {
   const std::vector<std::pair<AnySurface, double>> surfaces{{AnySurface(BoxSurface({0.06, 0.02, 0.02})), 0.018},
                                                             {AnySurface(CylinderSurface(0.05, 0.02)), 0.018},
@@ -124,7 +131,8 @@ TEST(Device, ARefusedSampleLeavesTheSurfacesMemory) {
   }
 }
 
-// Point 14: a body of 1 g is touched at 0.3 m/s by a damped finger. Every step is solved, and the body loses what its user is given.
+// Point 14: a body of 1 g is touched at 0.3 m/s by a damped finger. Every step is solved, and the body loses what its
+// user is given.
 TEST(Device, ADampedTouchDownKeepsTheMomentum) {
   BodyParameters body;
   body.mass = 1e-3;
@@ -150,8 +158,8 @@ TEST(Device, ADampedTouchDownKeepsTheMomentum) {
   }
 }
 
-// A steady speed under time stamps that are off by up to 30 % of a step: the damper has the stamps' velocity. A stamp that repeats the last one
-// gives no velocity, and no infinite force.
+// A steady speed under time stamps that are off by up to 30 % of a step: the damper has the stamps' velocity. A stamp
+// that repeats the last one gives no velocity, and no infinite force.
 TEST(Device, ADamperFollowsAClockThatJittersOrStandsStill) {
   FingerParameters with = skin();
   with.damping = 5.0;
@@ -165,7 +173,8 @@ TEST(Device, ADamperFollowsAClockThatJittersOrStandsStill) {
     ASSERT_NEAR(found, 0.05 * (1000.0 * time + (i == 0 ? 0.0 : 5.0)), 1e-12) << i;
     last = time;
   }
-  EXPECT_NEAR(finger.update(on_plane(0.0, 0.0, 0.05 * last + 5e-5), 0.0, 0.0).load, 1000.0 * (0.05 * last + 5e-5), 1e-12);
+  EXPECT_NEAR(finger.update(on_plane(0.0, 0.0, 0.05 * last + 5e-5), 0.0, 0.0).load, 1000.0 * (0.05 * last + 5e-5),
+              1e-12);
 }
 
 }  // namespace

@@ -18,14 +18,16 @@ using Eigen::Vector3d;
 
 constexpr double pi = std::numbers::pi;
 
-Grasp make_grasp(const BodyParameters& body, const Vector3d& edges, const FingerParameters& with, const FingerCurve& curve, int fingers) {
+Grasp make_grasp(const BodyParameters& body, const Vector3d& edges, const FingerParameters& with,
+                 const FingerCurve& curve, int fingers) {
   return {body, BodyState{}, AnySurface(BoxSurface(0.5 * edges)),
           std::vector<SoftFinger>(static_cast<std::size_t>(fingers), SoftFinger(curve, with))};
 }
 
 /// Two opposite fingers on the faces ±z of a block of this thickness.
 std::array<DevicePose, 2> pinch(double thickness, double depth, const Vector3d& at = Vector3d::Zero()) {
-  return {DevicePose{at + Vector3d(0.0, 0.0, 0.5 * thickness - depth)}, DevicePose{at - Vector3d(0.0, 0.0, 0.5 * thickness - depth)}};
+  return {DevicePose{at + Vector3d(0.0, 0.0, 0.5 * thickness - depth)},
+          DevicePose{at - Vector3d(0.0, 0.0, 0.5 * thickness - depth)}};
 }
 
 /// Nothing drives the body but its own motion: what is in it and in the springs never grows, step after step.
@@ -60,8 +62,8 @@ TEST(Grasp, StaysWithinTheSpringsGive) {
   EXPECT_EQ(held.unsolved(), 0U);
 }
 
-// 5 mm beside the centre of mass, so that force and moment carry the weight: the proxies stay where they are in the block, bit for bit, and
-// the block within 1e-12 m and rad of where it settled.
+// 5 mm beside the centre of mass, so that force and moment carry the weight: the proxies stay where they are in the
+// block, bit for bit, and the block within 1e-12 m and rad of where it settled.
 TEST(Grasp, HoldsABlockAtRest) {
   BodyParameters body = BodyParameters::block(0.1, edges);
   body.gravity = {0.0, -9.81, 0.0};
@@ -86,8 +88,8 @@ TEST(Grasp, HoldsABlockAtRest) {
   }
 }
 
-// The sign of rotation is kept (eq. 13 of the paper takes its absolute value): a body that turns under a still finger drags
-// the proxy with it, in either sense, and the moment on the user follows.
+// The sign of rotation is kept (eq. 13 of the paper takes its absolute value): a body that turns under a still finger
+// drags the proxy with it, in either sense, and the moment on the user follows.
 TEST(Grasp, CarriesTheProxyWithTheBodyInBothSenses) {
   for (const double sense : {1.0, -1.0}) {
     BodyParameters body = BodyParameters::block(0.1, edges);
@@ -118,11 +120,14 @@ TEST(Grasp, CarriesTheProxyWithTheBodyAcrossTheSurface) {
   grasp.place(moved_body, device);
   const Vector3d material = moved_body.to_world({0.01, 0.0, 0.02});
   EXPECT_LT((moved_body.to_world(grasp.finger(0).output().proxy) - material).norm(), 1e-16);
-  EXPECT_LT((grasp.force_on_user(0) - (Vector3d(0.0, 0.0, 2.0) + 1000.0 * (material - Vector3d(0.01, 0.0, 0.02)))).norm(), 1e-12);
+  EXPECT_LT(
+      (grasp.force_on_user(0) - (Vector3d(0.0, 0.0, 2.0) + 1000.0 * (material - Vector3d(0.01, 0.0, 0.02)))).norm(),
+      1e-12);
 }
 
-// A body that may turn about z alone, its principal axes turned. What locks the others bears the moments about them, so that
-// I_zz ω_z = M_z t: 1e-4 N m for 0.1 s. The whole inertia, inverted and cut, gave 0.312 for the explicit steps, and NaN without a moment.
+// A body that may turn about z alone, its principal axes turned. What locks the others bears the moments about them, so
+// that I_zz ω_z = M_z t: 1e-4 N m for 0.1 s. The whole inertia, inverted and cut, gave 0.312 for the explicit steps,
+// and NaN without a moment.
 TEST(Grasp, LockedAxesLeaveTheFreeBlockOfTheInertia) {
   BodyParameters body;
   body.mass = 0.1;
@@ -149,9 +154,9 @@ TEST(Grasp, LockedAxesLeaveTheFreeBlockOfTheInertia) {
   EXPECT_NEAR(spinning.angular_velocity.z(), 3.0, 1e-12);
 }
 
-// The loads of a step count among the velocities that its equations are solved to. So a body at rest is touched at first without gravity as it
-// is with 0.01 m/s² of it: in whole steps, with the momentum of the forces as they are rendered. The same where a
-// moment alone turns it, and where fingers leave.
+// The loads of a step count among the velocities that its equations are solved to. So a body at rest is touched at
+// first without gravity as it is with 0.01 m/s² of it: in whole steps, with the momentum of the forces as they are
+// rendered. The same where a moment alone turns it, and where fingers leave.
 TEST(Grasp, AFirstTouchNeedsNoGravity) {
   for (const bool planar : {false, true}) {
     for (int scene = 0; scene < repetitions(300, 30); ++scene) {
@@ -169,7 +174,8 @@ TEST(Grasp, AFirstTouchNeedsNoGravity) {
       }
       for (const double gravity : {0.0, 1e-2}) {
         body.gravity = {0.0, -gravity, 0.0};
-        Grasp grasp(body, BodyState{}, AnySurface(SphereSurface(0.02)), std::vector<SoftFinger>(fingers, hertz_finger(with)));
+        Grasp grasp(body, BodyState{}, AnySurface(SphereSurface(0.02)),
+                    std::vector<SoftFinger>(fingers, hertz_finger(with)));
         grasp.place(BodyState{}, out);
         grasp.step(in, 1e-3);
         EXPECT_EQ(grasp.divided(), 0U) << planar << ' ' << scene << ' ' << gravity;
@@ -180,7 +186,8 @@ TEST(Grasp, AFirstTouchNeedsNoGravity) {
           size += 1e-3 * grasp.force_on_user(i).norm();
         }
         if (planar) impulse.z() = 0.0;
-        EXPECT_LE((body.mass * grasp.body().velocity - impulse).norm(), 1e-12 * size) << planar << ' ' << scene << ' ' << gravity;
+        EXPECT_LE((body.mass * grasp.body().velocity - impulse).norm(), 1e-12 * size)
+            << planar << ' ' << scene << ' ' << gravity;
         for (int i = 0; i < 3; ++i) grasp.step(out, 1e-3, Vector3d::Zero(), {1e-3, -2e-3, 5e-4});
         EXPECT_EQ(grasp.divided(), 0U) << planar << ' ' << scene << ' ' << gravity;
       }
@@ -188,7 +195,8 @@ TEST(Grasp, AFirstTouchNeedsNoGravity) {
   }
 }
 
-// Fixed fingers, no gravity: a body set in motion between them never gains energy, and what it loses to slip is accounted.
+// Fixed fingers, no gravity: a body set in motion between them never gains energy, and what it loses to slip is
+// accounted.
 TEST(Grasp, NeverGainsEnergy) {
   Random random(5);
   for (int round = 0; round < repetitions(20, 2); ++round) {
@@ -207,7 +215,8 @@ TEST(Grasp, NeverGainsEnergy) {
   }
 }
 
-// Springs a thousand times stiffer than the time step resolves, and a body that hits them sliding: solved, and no energy gained.
+// Springs a thousand times stiffer than the time step resolves, and a body that hits them sliding: solved, and no
+// energy gained.
 TEST(Grasp, SolvesSlipUnderStiffSprings) {
   Random random(8);
   for (int round = 0; round < repetitions(100, 4); ++round) {
@@ -270,7 +279,8 @@ TEST(Grasp, SurvivesBadDevices) {
   EXPECT_LT(grasp.body().velocity.y(), -0.09);
 }
 
-// What comes after a reset is what comes after construction, to the bit; `place` keeps the springs of fingers that touch.
+// What comes after a reset is what comes after construction, to the bit; `place` keeps the springs of fingers that
+// touch.
 TEST(Grasp, ResetStartsAnew) {
   const BodyParameters body = BodyParameters::planar_block(0.1, edges, 9.81);
   const Grasp first = make_grasp(body, edges, parameters(), ellipse, 2);
@@ -288,7 +298,8 @@ TEST(Grasp, ResetStartsAnew) {
   EXPECT_EQ(again.finger(0).output().state, ContactState::free);
   EXPECT_EQ(again.dissipated(), 0.0);
   const Grasp found = episode(again);
-  EXPECT_TRUE(same_bits(found.body().position, expected.body().position) && found.dissipated() == expected.dissipated());
+  EXPECT_TRUE(same_bits(found.body().position, expected.body().position) &&
+              found.dissipated() == expected.dissipated());
   EXPECT_TRUE(same_bits(found.finger(0).output().proxy, expected.finger(0).output().proxy));
   Grasp placed = expected;
   placed.place(BodyState{}, devices);

@@ -83,7 +83,8 @@ TEST(RigidBody, FallsAndSpinsFreely) {
   EXPECT_NEAR(grasp.body().orientation.norm(), 1.0, 1e-15);
 }
 
-// A block thrown about its middle axis, which is unstable: energy and momentum stay, and where it turns to is right to second order.
+// A block thrown about its middle axis, which is unstable: energy and momentum stay, and where it turns to is right to
+// second order.
 TEST(RigidBody, TumblesWithoutLoss) {
   BodyParameters body = BodyParameters::block(0.1, {0.12, 0.06, 0.03});
   body.gravity.setZero();
@@ -107,8 +108,8 @@ TEST(RigidBody, TumblesWithoutLoss) {
   EXPECT_NEAR(errors[1], errors[0] / 16.0, 0.1 * errors[0] / 16.0);
 }
 
-// A spin of several turns in a step, about the axis of the largest inertia, is done in parts: it arrives where it should, and does not look
-// like a slow turn the other way.
+// A spin of several turns in a step, about the axis of the largest inertia, is done in parts: it arrives where it
+// should, and does not look like a slow turn the other way.
 TEST(RigidBody, SpinsByTurnsInAStep) {
   BodyParameters body = BodyParameters::block(0.1, {0.12, 0.06, 0.03});
   body.gravity.setZero();
@@ -152,9 +153,12 @@ TEST(BodyParameters, EvenlyFilledBodiesHaveTheInertiaOfTheirOutline) {
     EXPECT_LT((body.inertia / body.mass - expected).norm(), resolved * expected.norm()) << body.inertia.transpose();
   };
   const Vector3d slim{r, r, 0.5 * length};
-  is_near(BodyParameters::ball(0.3, r), counted_inertia(Vector3d::Constant(r), [&](const Vector3d& at) { return at.norm() <= r; }));
-  is_near(BodyParameters::cylinder(0.3, r, length), counted_inertia(slim, [&](const Vector3d& at) { return at.head<2>().norm() <= r; }));
-  is_near(BodyParameters::capsule(0.3, r, length), counted_inertia(slim + Vector3d(0.0, 0.0, r), [&](const Vector3d& at) {
+  is_near(BodyParameters::ball(0.3, r),
+          counted_inertia(Vector3d::Constant(r), [&](const Vector3d& at) { return at.norm() <= r; }));
+  is_near(BodyParameters::cylinder(0.3, r, length),
+          counted_inertia(slim, [&](const Vector3d& at) { return at.head<2>().norm() <= r; }));
+  is_near(BodyParameters::capsule(0.3, r, length),
+          counted_inertia(slim + Vector3d(0.0, 0.0, r), [&](const Vector3d& at) {
             return (at - Vector3d(0.0, 0.0, std::clamp(at.z(), -0.5 * length, 0.5 * length))).norm() <= r;
           }));
   is_near(BodyParameters::block(0.3, 2.0 * slim), counted_inertia(slim, [](const Vector3d&) { return true; }));

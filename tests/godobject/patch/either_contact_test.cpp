@@ -10,7 +10,8 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-// Between two walls 20 mm apart, the finger 1 mm deep in each: a sample that landed anew is what it is after a sample in between.
+// Between two walls 20 mm apart, the finger 1 mm deep in each: a sample that landed anew is what it is after a sample
+// in between.
 TEST(SoftFinger, TouchesDownWhereItLandsAnew) {
   const Eigen::Vector3d n = Eigen::Vector3d::UnitX();
   const Patch patch = Patch::ellipse(hertz(), 0.01, 0.004);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A finger whose load a physics engine gives: a stick is a function of the pose, and friction reaches its limit on a ball of any radius.
+// A finger whose load a physics engine gives: a stick is a function of the pose, and friction reaches its limit on a
+// ball of any radius.
 #include "godobject/surface.hpp"
 #include "limitcurve/patch/patch.hpp"
 #include "tests/godobject/scene.hpp"
@@ -19,7 +20,9 @@ struct Ball {
   double radius;
 
   [[nodiscard]] Vector3d normal(double way) const { return {std::sin(way / radius), 0.0, std::cos(way / radius)}; }
-  [[nodiscard]] Vector3d point(double way) const { return std::isinf(radius) ? Vector3d(way, 0.0, 0.0) : Vector3d(radius * normal(way)); }
+  [[nodiscard]] Vector3d point(double way) const {
+    return std::isinf(radius) ? Vector3d(way, 0.0, 0.0) : Vector3d(radius * normal(way));
+  }
   [[nodiscard]] Vector3d along(double way) const { return {std::cos(way / radius), 0.0, -std::sin(way / radius)}; }
 };
 
@@ -30,15 +33,17 @@ std::vector<SoftFinger> fingers(std::optional<double> mu_dynamic = {}) {
   damped.twist_damping = 1e-4;
   damped.mu_dynamic = mu_dynamic;
   damped.radius_law = RadiusLaw::hertz(0.008, 2e5);
-  return {hertz_finger(with), exact_hertz_finger(damped), {box(1.0, 0.5), damped}, {Patch::rectangle(0.01, 0.005), damped}};
+  return {
+      hertz_finger(with), exact_hertz_finger(damped), {box(1.0, 0.5), damped}, {Patch::rectangle(0.01, 0.005), damped}};
 }
 
-// To and fro, with a twist, under loads that ease and press. On a ball a deflection counts by its sine; on a smaller one than 4 μP/k_l the
-// proxy is carried along.
+// To and fro, with a twist, under loads that ease and press. On a ball a deflection counts by its sine; on a smaller
+// one than 4 μP/k_l the proxy is carried along.
 TEST(GivenLoad, FrictionOnABallIsNearlyThePlanes) {
   constexpr double longest = 0.8 * 3.4 / 144.0;  // μP/k_l
   for (const SoftFinger& finger : fingers()) {
-    for (const auto& [radius, within] : {std::pair{0.05 * longest, 0.3}, {0.2 * longest, 0.3}, {4.0 * longest, 0.04}, {1e3, 2e-4}}) {
+    for (const auto& [radius, within] :
+         {std::pair{0.05 * longest, 0.3}, {0.2 * longest, 0.3}, {4.0 * longest, 0.04}, {1e3, 2e-4}}) {
       const Ball ball{radius};
       const Ball plane{infinity};
       SoftFinger round = finger;
@@ -59,7 +64,8 @@ TEST(GivenLoad, FrictionOnABallIsNearlyThePlanes) {
         ASSERT_NEAR(out.force.dot(out.normal), 0.0, 1e-14) << radius << ' ' << i;
         ASSERT_NEAR(out.moment, expected.moment, within * unit * 0.005) << radius << ' ' << i;
         ASSERT_GE(out.slip_work, 0.0);
-        ASSERT_NEAR(round.spring_energy(), flat.spring_energy(), 2.5 * within * unit * unit / 144.0) << radius << ' ' << i;
+        ASSERT_NEAR(round.spring_energy(), flat.spring_energy(), 2.5 * within * unit * unit / 144.0)
+            << radius << ' ' << i;
         slips += out.state == ContactState::slip;
         sticks += out.state == ContactState::stick;
       }
@@ -95,8 +101,9 @@ TEST(GivenLoad, AStickDoesNotKnowItsPath) {
   }
 }
 
-// To the limit, and nearly to the opposite one and back, again and again: from a radius of 4 μP/k_l on a stick stays one, and keeps its
-// force. On a smaller ball the proxy is carried along, so that a slip begins before the force is what it was.
+// To the limit, and nearly to the opposite one and back, again and again: from a radius of 4 μP/k_l on a stick stays
+// one, and keeps its force. On a smaller ball the proxy is carried along, so that a slip begins before the force is
+// what it was.
 TEST(GivenLoad, ABallIsAFunctionOfThePoseFromARadius) {
   for (const double radius : {1.0, 3.7, 4.0, 8.0}) {  // in units of μP/k_l
     SoftFinger finger = hertz_finger(parameters(0.8, 0.005, 144.0, 0.01));
@@ -135,7 +142,8 @@ TEST(GivenLoad, AWiderConeCreepsAsIsSaid) {
   }
 }
 
-// The held force gains at most ½ k_l |Δx|² in a sample, as every sampled spring (passivity.hpp), whatever a host's normals do.
+// The held force gains at most ½ k_l |Δx|² in a sample, as every sampled spring (passivity.hpp), whatever a host's
+// normals do.
 TEST(GivenLoad, NoTiltWinsEnergy) {
   Random random(7);
   for (int run = 0; run < 300; ++run) {
@@ -160,7 +168,8 @@ TEST(GivenLoad, NoTiltWinsEnergy) {
   }
 }
 
-// 3.4 N on a ball of 4 mm at 1 cm/s: where a depth of 24 mm carries the device through the middle of the ball, the damper pushed it on.
+// 3.4 N on a ball of 4 mm at 1 cm/s: where a depth of 24 mm carries the device through the middle of the ball, the
+// damper pushed it on.
 TEST(GivenLoad, ADamperBrakesOnABallSmallerThanTheDeflection) {
   FingerParameters with = parameters(0.8, 0.005, 144.0, 0.01);
   with.damping = 1.44;
@@ -170,7 +179,8 @@ TEST(GivenLoad, ADamperBrakesOnABallSmallerThanTheDeflection) {
     for (int i = 0; i < 20; ++i) finger.update_under_load(ball.point(1e-5 * i), ball.normal(1e-5 * i), 3.4, 0.0, 1e-3);
     EXPECT_EQ(finger.output().state, ContactState::stick);
     const auto chord = [&](double way) { return std::isinf(radius) ? way : radius * std::sin(way / radius); };
-    EXPECT_NEAR(finger.output().force.dot(ball.along(1.9e-4)), -(144.0 * chord(1.9e-4) + 1440.0 * chord(1e-5)), 1e-12) << radius;
+    EXPECT_NEAR(finger.output().force.dot(ball.along(1.9e-4)), -(144.0 * chord(1.9e-4) + 1440.0 * chord(1e-5)), 1e-12)
+        << radius;
   }
 }
 
@@ -181,7 +191,8 @@ TEST(GivenLoad, OnThePlaneItIsUpdate) {
     SoftFinger loaded = finger;
     Random random(3);
     for (int i = 0; i < 2000; ++i) {
-      const Contact contact = on_plane(0.03 * std::sin(0.01 * i), 0.01 * std::sin(0.013 * i), 0.02 * std::sin(0.02 * i) + 0.01);
+      const Contact contact =
+          on_plane(0.03 * std::sin(0.01 * i), 0.01 * std::sin(0.013 * i), 0.02 * std::sin(0.02 * i) + 0.01);
       const double twist = 3.0 * std::sin(0.003 * i);
       const FingerOutput expected = deep.update(contact, twist, 1e-3);
       const bool touches = expected.state != ContactState::free;
@@ -189,14 +200,17 @@ TEST(GivenLoad, OnThePlaneItIsUpdate) {
       const double load = touches ? std::max(deep.state().limit_load, 5e-324) : random.uniform(-1.0, 0.0);
       const FingerOutput out = loaded.update_under_load(contact.point, contact.normal, load, twist, 1e-3);
       ASSERT_EQ(out.state, expected.state) << i;
-      ASSERT_TRUE(same_bits(out.force, expected.force) && out.moment == expected.moment && out.slip_work == expected.slip_work) << i;
+      ASSERT_TRUE(same_bits(out.force, expected.force) && out.moment == expected.moment &&
+                  out.slip_work == expected.slip_work)
+          << i;
       ASSERT_TRUE(!touches || (same_bits(out.proxy, expected.proxy) && out.angle == expected.angle)) << i;
       ASSERT_EQ(loaded.margin(), deep.margin());
     }
   }
 }
 
-// Its user never has more than was put in, on any path over a small ball under any loads: friction's work and the springs' energy.
+// Its user never has more than was put in, on any path over a small ball under any loads: friction's work and the
+// springs' energy.
 TEST(GivenLoad, NoPathWinsEnergy) {
   Random random(4);
   for (const double mu : {0.0, 0.3, 100.0}) {
@@ -246,9 +260,11 @@ TEST(GivenLoad, NoLoadIsFreeAndABadOneIsAFault) {
   EXPECT_EQ(at(1e-3, 2.0, -1.0).fault, Fault::time_step);
   EXPECT_EQ(at(0.7, 2.0).fault, Fault::displacement);
   EXPECT_EQ(finger.update_under_load({1e-3, 0.0, 0.0}, 1.1 * up, 2.0, 0.0).fault, Fault::normal);
-  EXPECT_EQ(finger.update_under_load({1e-3, 0.0, 0.0}, up, 2.0, Orientation(1.1, 0.0, 0.0, 0.0)).fault, Fault::orientation);
+  EXPECT_EQ(finger.update_under_load({1e-3, 0.0, 0.0}, up, 2.0, Orientation(1.1, 0.0, 0.0, 0.0)).fault,
+            Fault::orientation);
   EXPECT_EQ(at(1e-3, 2.0).force.x(), -1.0) << "and goes on";
-  EXPECT_EQ(finger.update_under_load({1e-3, 0.0, 0.0}, up, 2.0, 0.0, 1e-3, true).force.x(), -0.0) << "landed: the springs are relaxed";
+  EXPECT_EQ(finger.update_under_load({1e-3, 0.0, 0.0}, up, 2.0, 0.0, 1e-3, true).force.x(), -0.0)
+      << "landed: the springs are relaxed";
   for (const double load : {5e-324, 1e-200, 1e20, 1e300}) {
     const FingerOutput out = at(2e-3, load);
     EXPECT_TRUE(out.force.allFinite() && std::isfinite(out.moment) && out.slip_work >= 0.0) << load;
@@ -261,8 +277,10 @@ TEST(GivenLoad, AnOrientationGivesTheTwist) {
   SoftFinger by_angle = hertz_finger();
   SoftFinger by_turn = hertz_finger();
   for (int i = 0; i < 100; ++i) {
-    const Orientation turn(Eigen::Quaterniond(AngleAxisd(0.1 * i, Vector3d::UnitZ()) * AngleAxisd(0.3, Vector3d::UnitX())));
-    const FingerOutput expected = by_angle.update_under_load({1e-4 * i, 0.0, 0.0}, Vector3d::UnitZ(), 2.0, 0.1 * i, 1e-3);
+    const Orientation turn(
+        Eigen::Quaterniond(AngleAxisd(0.1 * i, Vector3d::UnitZ()) * AngleAxisd(0.3, Vector3d::UnitX())));
+    const FingerOutput expected =
+        by_angle.update_under_load({1e-4 * i, 0.0, 0.0}, Vector3d::UnitZ(), 2.0, 0.1 * i, 1e-3);
     const FingerOutput out = by_turn.update_under_load({1e-4 * i, 0.0, 0.0}, Vector3d::UnitZ(), 2.0, turn, 1e-3);
     EXPECT_NEAR(out.moment, expected.moment, 1e-12) << i;
     EXPECT_NEAR(out.force.x(), expected.force.x(), 1e-10) << i;
@@ -271,7 +289,8 @@ TEST(GivenLoad, AnOrientationGivesTheTwist) {
   EXPECT_TRUE(over.force.allFinite() && over.proxy.allFinite() && over.force.norm() <= 1.2 * (1.0 + 1e-12));
 }
 
-// From a depth to a load and back in one contact: the springs stay, and dampers, which know no velocity there, do not act.
+// From a depth to a load and back in one contact: the springs stay, and dampers, which know no velocity there, do not
+// act.
 TEST(GivenLoad, AFingerMayChangeBetweenBoth) {
   FingerParameters with = parameters();
   with.damping = 5.0;

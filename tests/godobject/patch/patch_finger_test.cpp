@@ -70,17 +70,20 @@ TEST(PatchProjector, ClosestPointIsOnTheSurfaceAndTheSlipItsNormal) {
         ASSERT_TRUE(found.converged) << name << ' ' << ratio << ' ' << i;
         ASSERT_LE(found.evaluations, PatchProjector::most_evaluations);
         if (!found.slips) {
-          EXPECT_LE(projector.patch().gauge({trial.fx / 3.0, trial.fy / 3.0, trial.moment / m0 * m0 / 3.0}), 1.0 + 1e-9) << name;
+          EXPECT_LE(projector.patch().gauge({trial.fx / 3.0, trial.fy / 3.0, trial.moment / m0 * m0 / 3.0}), 1.0 + 1e-9)
+              << name;
           continue;
         }
         // What the springs gave is the slip; W·T = μP H(T) puts W on the surface with T as its normal.
         EXPECT_NEAR((trial.fx - found.wrench.fx) / 500.0, found.slip.vx, 1e-12);
-        const double power = found.wrench.fx * found.slip.vx + found.wrench.fy * found.slip.vy + found.wrench.moment * found.slip.omega;
+        const double power =
+            found.wrench.fx * found.slip.vx + found.wrench.fy * found.slip.vy + found.wrench.moment * found.slip.omega;
         const double available = 3.0 * patch.power(found.slip);
         EXPECT_GT(power, 0.0);
         const double slipped = std::hypot(found.slip.vx, found.slip.vy, m0 * found.slip.omega);
         // Of a slip near none the rounding of the trial is what is left.
-        const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::hypot(trial.fx, trial.fy, trial.moment / m0) / 500.0;
+        const double rounding =
+            4.0 * std::numeric_limits<double>::epsilon() * std::hypot(trial.fx, trial.fy, trial.moment / m0) / 500.0;
         EXPECT_NEAR(power, available, 1e-9 * available + 1e-11 * slipped + 3.0 * rounding) << name << ' ' << ratio;
       }
     }
@@ -102,7 +105,8 @@ double brute_force_gauge(const Patch& patch, const PatchWrench& wrench, const st
   double best = 0.0;
   PatchTwist at;
   const auto look = [&](const PatchTwist& twist) {
-    const double ratio = (wrench.fx * twist.vx + wrench.fy * twist.vy + wrench.moment * twist.omega) / patch.power(twist);
+    const double ratio =
+        (wrench.fx * twist.vx + wrench.fy * twist.vy + wrench.moment * twist.omega) / patch.power(twist);
     if (ratio > best) {
       best = ratio;
       at = twist;
@@ -150,7 +154,8 @@ TEST(PatchProjector, PointsStickWithinTheirLimitAndAlwaysConverge) {
       ASSERT_TRUE(found.converged) << set << ' ' << i;
       ASSERT_LE(found.evaluations, PatchProjector::most_evaluations);
       if (found.slips) {
-        const double power = found.wrench.fx * found.slip.vx + found.wrench.fy * found.slip.vy + found.wrench.moment * found.slip.omega;
+        const double power =
+            found.wrench.fx * found.slip.vx + found.wrench.fy * found.slip.vy + found.wrench.moment * found.slip.omega;
         const double slipped = std::hypot(found.slip.vx, found.slip.vy, m0 * found.slip.omega);
         ASSERT_NEAR(power, patch.power(found.slip), 1e-8 * slipped + 1e-15) << set << ' ' << i;
       } else if (i % 6 == 0) {
@@ -274,7 +279,8 @@ TEST(PatchFinger, FrictionAlongAndAcrossTurnsWithTheFinger) {
     for (const bool upside_down : {false, true}) {
       SoftFinger finger(Patch::rectangle(0.02, 0.02).orthotropic(2.0, 1.0), parameters);
       const Eigen::Vector3d normal = upside_down ? Eigen::Vector3d(0, 1, 0) : Eigen::Vector3d(0, 0, 1);
-      const Eigen::Vector3d x = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * Eigen::Vector3d::UnitX();
+      const Eigen::Vector3d x =
+          Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * Eigen::Vector3d::UnitX();
       const Eigen::Vector3d along = x * std::cos(turned) + normal.cross(x) * std::sin(turned);
       FingerOutput output;
       for (int i = 0; i < 50; ++i) output = finger.update({1e-4 * i * along, normal, 1e-3}, turned);
@@ -313,7 +319,8 @@ TEST(PatchFinger, WithoutFrictionFollowsTheFinger) {
 }
 
 TEST(PatchFinger, BadParametersAreNamed) {
-  const auto refused = [](const Patch& patch, const FingerParameters& parameters, const char* told, double radius = 0.0) {
+  const auto refused = [](const Patch& patch, const FingerParameters& parameters, const char* told,
+                          double radius = 0.0) {
     limitcurve::test::expect_mention(limitcurve::test::complaint([&] { SoftFinger(patch, parameters, radius); }), told);
   };
   FingerParameters parameters = usual();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether `choose_step` states errors that hold: random scenes, in each of which fingers by every candidate feel random motions that share nothing
-// with the walk by which `choose_step` judges.
+// Whether `choose_step` states errors that hold: random scenes, in each of which fingers by every candidate feel random
+// motions that share nothing with the walk by which `choose_step` judges.
 #include "godobject/scene/choose_step.hpp"
 
 #include "godobject/scene/replay.hpp"
@@ -28,8 +28,9 @@ struct StudyScene {
   double tolerance;
 };
 
-/// Springs that suit the law or are up to thirty times too stiff or too soft in twist, a sample time in which they are wound up by a third or
-/// by a three-hundredth, one load or up to eight times as much, no slide or no twist at all, or little of them.
+/// Springs that suit the law or are up to thirty times too stiff or too soft in twist, a sample time in which they are
+/// wound up by a third or by a three-hundredth, one load or up to eight times as much, no slide or no twist at all, or
+/// little of them.
 StudyScene random_study_scene(Random& random) {
   const std::vector<std::string> laws{"hertz",
                                       "uniform",
@@ -61,7 +62,8 @@ StudyScene random_study_scene(Random& random) {
   const double slide = scene.mu * load / scene.stiffness;
   const double twist = moment / scene.twist_stiffness;
   scene.slide_speed = one_of(10) == 0 ? 0.0 : slide / (random.logarithmic(3.0, 300.0) * scene.sample_time);
-  scene.twist_rate = one_of(10) == 0 && scene.slide_speed > 0.0 ? 0.0 : twist / (random.logarithmic(3.0, 300.0) * scene.sample_time);
+  scene.twist_rate =
+      one_of(10) == 0 && scene.slide_speed > 0.0 ? 0.0 : twist / (random.logarithmic(3.0, 300.0) * scene.sample_time);
   if (one_of(5) == 0) scene.slide = slide * random.logarithmic(0.1, 10.0);
   if (one_of(5) == 0) scene.twist = twist * random.logarithmic(0.1, 10.0);
   return {scene, random.logarithmic(2e-3, 0.4)};
@@ -75,8 +77,8 @@ struct StudySample {
   double load;
 };
 
-/// A random motion within the scene's rates, displacements and loads, sample by sample: velocities that change again and again, or turn back, or a
-/// slide and a twist in turn. The load is constant, oscillates or jumps.
+/// A random motion within the scene's rates, displacements and loads, sample by sample: velocities that change again
+/// and again, or turn back, or a slide and a twist in turn. The load is constant, oscillates or jumps.
 std::vector<StudySample> random_motion(const Scene& scene, Random& random) {
   const auto one_of = [&](int count) { return static_cast<int>(random.uniform(0.0, count)); };
   constexpr int samples = 4000;
@@ -103,7 +105,8 @@ std::vector<StudySample> random_motion(const Scene& scene, Random& random) {
       left = random.logarithmic(20.0, 1500.0);
       if (load_kind == 2) at.load = random.uniform(scene.least_load, scene.most_load);
     }
-    const StudySample next{at.x + vx * scene.sample_time, at.y + vy * scene.sample_time, at.twist + spin * scene.sample_time, at.load};
+    const StudySample next{at.x + vx * scene.sample_time, at.y + vy * scene.sample_time,
+                           at.twist + spin * scene.sample_time, at.load};
     if (std::hypot(next.x, next.y) > scene.slide || std::fabs(next.twist) > scene.twist) {
       left = 0.0;
     } else {
@@ -120,7 +123,8 @@ std::vector<Eigen::Vector3d> felt(const Scene& scene, SoftFinger finger, const s
   std::vector<Eigen::Vector3d> result;
   const double m0 = scene.law->moment_ratio();
   for (const StudySample& at : motion) {
-    const FingerOutput output = finger.update({{at.x, at.y, 0.0}, Eigen::Vector3d::UnitZ(), at.load / scene.stiffness}, at.twist);
+    const FingerOutput output =
+        finger.update({{at.x, at.y, 0.0}, Eigen::Vector3d::UnitZ(), at.load / scene.stiffness}, at.twist);
     const double force = scene.mu * at.load;
     const double moment = scene.mu_r ? *scene.mu_r * at.load : m0 * force * scene.radius_law.radius(at.load);
     result.emplace_back(output.force.x() / force, output.force.y() / force, output.moment / moment);
@@ -223,7 +227,8 @@ TEST(ChoiceStudy, TheStatedErrorHoldsInRandomMotionsAndIsNotTooLarge) {
   EXPECT_GE(cheaper_is_chosen, 0.7 * cheaper_would_do);
 }
 
-// Radii that are equal at the least and the most load and not between them: a table of the mean load was chosen, 17 and 81 % off.
+// Radii that are equal at the least and the most load and not between them: a table of the mean load was chosen, 17 and
+// 81 % off.
 TEST(ChoiceStudy, ARadiusThatVariesBetweenTheLoadsCounts) {
   for (const double middle : {0.0052, 0.006}) {
     Scene scene;
@@ -245,7 +250,8 @@ TEST(ChoiceStudy, WhatIsChosenCanBeReplayed) {
     Random random(seed);
     const auto [scene, tolerance] = random_study_scene(random);
     const StepChoice choice = choose_step(scene, tolerance);
-    const auto best = std::find_if(choice.candidates.begin(), choice.candidates.end(), [](const auto& one) { return one.chosen; });
+    const auto best =
+        std::find_if(choice.candidates.begin(), choice.candidates.end(), [](const auto& one) { return one.chosen; });
     SoftFinger finger = named_finger(scene, *best);
     ASSERT_TRUE(choice.chosen);
     Replay replay(*choice.chosen);

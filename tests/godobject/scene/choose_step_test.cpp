@@ -30,7 +30,8 @@ Scene scene() {
 }
 
 const Candidate& chosen(const StepChoice& choice) {
-  return *std::find_if(choice.candidates.begin(), choice.candidates.end(), [](const Candidate& candidate) { return candidate.chosen; });
+  return *std::find_if(choice.candidates.begin(), choice.candidates.end(),
+                       [](const Candidate& candidate) { return candidate.chosen; });
 }
 
 std::string said(const StepChoice& choice) {
@@ -45,7 +46,9 @@ TEST(ChooseStep, TakesTheCheapestThatIsGoodEnough) {
     const StepChoice choice = choose_step(scene(), tolerance);
     const Candidate& best = chosen(choice);
     EXPECT_LE(best.error, tolerance);
-    EXPECT_EQ(std::count_if(choice.candidates.begin(), choice.candidates.end(), [](const auto& candidate) { return candidate.chosen; }), 1);
+    EXPECT_EQ(std::count_if(choice.candidates.begin(), choice.candidates.end(),
+                            [](const auto& candidate) { return candidate.chosen; }),
+              1);
     for (const Candidate& other : choice.candidates) {
       if (other.nanoseconds < best.nanoseconds / (1.0 + cost_tie)) {
         EXPECT_GT(other.error, tolerance) << other.model;
@@ -88,19 +91,22 @@ TEST(ChooseStep, SlidingAndTwistingAtOnceNeedsCoupling) {
   EXPECT_EQ(chosen(choice).model, "table/closest-point");
   // For a box, with both at their limits in its corner.
   EXPECT_GT(choice.effects.coupling.largest, 0.2);
-  // No component changes by more than from one limit to the other. Twice the largest was stated as a fact: 337 % without torsion.
+  // No component changes by more than from one limit to the other. Twice the largest was stated as a fact: 337 %
+  // without torsion.
   const std::string verdict = said(choice);
-  for (const Effect& effect : {choice.effects.torsion, choice.effects.coupling, choice.effects.curve, choice.effects.projection}) {
+  for (const Effect& effect :
+       {choice.effects.torsion, choice.effects.coupling, choice.effects.curve, choice.effects.projection}) {
     EXPECT_LE(effect.median, effect.percentile_99);
     EXPECT_LE(effect.percentile_99, effect.largest);
     EXPECT_LE(effect.largest, 2.0);
-    EXPECT_NE(verdict.find(in_percent(effect.percentile_99) + ", " + in_percent(effect.largest)), std::string::npos) << verdict;
+    EXPECT_NE(verdict.find(in_percent(effect.percentile_99) + ", " + in_percent(effect.largest)), std::string::npos)
+        << verdict;
   }
   EXPECT_NE(verdict.find("decided by 2 times the largest"), std::string::npos) << verdict;
 }
 
-// A Gaussian's nominal radius is any length: σ = 50 of 60 µm is σ = 0.5 of 6 mm. Errors were 0.61 and 0.36, and a table with an error of 0.044
-// was chosen for a tolerance of 0.01.
+// A Gaussian's nominal radius is any length: σ = 50 of 60 µm is σ = 0.5 of 6 mm. Errors were 0.61 and 0.36, and a table
+// with an error of 0.044 was chosen for a tolerance of 0.01.
 TEST(ChooseStep, UnitsOfLengthDoNotMatter) {
   const auto choice_for = [](double sigma) {
     Scene one = scene();
@@ -171,7 +177,8 @@ TEST(ChooseStep, RefusesWhatMeansNothing) {
     refuses([=](Scene& s) { s.twist_rate = bad; });
   }
   for (double Scene::*slide : {&Scene::slide_speed, &Scene::slide}) {
-    for (double Scene::*twist : {&Scene::twist_rate, &Scene::twist}) refuses([=](Scene& s) { s.*slide = s.*twist = 0.0; });
+    for (double Scene::*twist : {&Scene::twist_rate, &Scene::twist})
+      refuses([=](Scene& s) { s.*slide = s.*twist = 0.0; });
   }
   refuses([=](Scene& s) { s.twist = std::nan(""); });
 }

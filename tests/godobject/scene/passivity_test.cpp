@@ -23,7 +23,8 @@ FingerParameters gains(double stiffness, double damping, double twist_stiffness,
   return result;
 }
 
-const FingerParameters choices[] = {gains(1000.0, 0.0, 0.04, 0.0), gains(1000.0, 0.4, 0.04, 1e-5), gains(50.0, 2.0, 0.001, 1e-4)};
+const FingerParameters choices[] = {gains(1000.0, 0.0, 0.04, 0.0), gains(1000.0, 0.4, 0.04, 1e-5),
+                                    gains(50.0, 2.0, 0.001, 1e-4)};
 
 // A thousandth less, and a user who goes to and fro with every sample gets energy from each channel without end.
 TEST(Passivity, AThousandthLessGivesEnergyWithoutEnd) {
@@ -47,7 +48,8 @@ TEST(Passivity, AThousandthLessGivesEnergyWithoutEnd) {
 }
 
 TEST(Passivity, ExplicitCouplingEndsWhereSaid) {
-  const auto grows = [](double stiffness, double damping, double mass, double twist_stiffness, double twist_damping, double inertia) {
+  const auto grows = [](double stiffness, double damping, double mass, double twist_stiffness, double twist_damping,
+                        double inertia) {
     BodyParameters body;
     body.mass = mass;
     body.inertia.setConstant(inertia);
@@ -74,13 +76,14 @@ TEST(Passivity, ExplicitCouplingEndsWhereSaid) {
       EXPECT_NEAR(explicit_coupling(stiffness, damping, mass, sample_time, 2), share, 1e-12);
       // Sliding at its limit with a small twist, and the reverse.
       EXPECT_EQ(grows(stiffness, damping, mass, 1e-3, 1e-5, 1e-3), share > 1.0) << damping_share << ' ' << share;
-      EXPECT_EQ(grows(10.0, 0.1, mass, stiffness * 1e-4, damping * 1e-4, mass * 1e-4), share > 1.0) << damping_share << ' ' << share;
+      EXPECT_EQ(grows(10.0, 0.1, mass, stiffness * 1e-4, damping * 1e-4, mass * 1e-4), share > 1.0)
+          << damping_share << ' ' << share;
     }
   }
 }
 
-// A user who goes to and fro against a spring and a damper whose force comes N samples late: at the worst pace he wins exactly what the device
-// needs to dissipate, at any other less. A damper helps a late spring, and is late itself.
+// A user who goes to and fro against a spring and a damper whose force comes N samples late: at the worst pace he wins
+// exactly what the device needs to dissipate, at any other less. A damper helps a late spring, and is late itself.
 TEST(Passivity, ALateForceNeedsWhatTheWorstPaceWins) {
   constexpr int samples = 800;  // whole periods, so that what the spring stores drops out
   const auto won = [](double stiffness, double damping, int delay, int periods) {

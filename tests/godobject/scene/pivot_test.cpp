@@ -72,7 +72,8 @@ TEST(Pivot, FirstSlipsAtTheHoldingLoad) {
     EXPECT_NEAR(found / expected, 1.0, 1e-6) << to_string(kind);
   }
   // Eq. (19) by hand: (0.4905/1.67)² + (0.4905·5/10.11)².
-  EXPECT_NEAR(Pivot(experiment(PivotCase::coupled)).holding_load(), std::hypot(0.4905 / 1.67, 0.4905 * 5.0 / 10.11), 1e-12);
+  EXPECT_NEAR(Pivot(experiment(PivotCase::coupled)).holding_load(), std::hypot(0.4905 / 1.67, 0.4905 * 5.0 / 10.11),
+              1e-12);
   EXPECT_NEAR(Pivot(experiment(PivotCase::uncoupled)).holding_load(), 0.4905 / 1.67, 1e-12);
 }
 
@@ -90,8 +91,10 @@ TEST(Pivot, ConvergesWithTheTimeStep) {
     }
     EXPECT_GT(ends.back().angle, 5.0 * degree);
     for (std::size_t i = 2; i < ends.size(); ++i) {
-      EXPECT_LT(std::fabs(ends[i].angle - ends[i - 1].angle), 0.7 * std::fabs(ends[i - 1].angle - ends[i - 2].angle)) << to_string(kind);
-      EXPECT_LT(std::fabs(ends[i].grip_slip - ends[i - 1].grip_slip), 0.7 * std::fabs(ends[i - 1].grip_slip - ends[i - 2].grip_slip));
+      EXPECT_LT(std::fabs(ends[i].angle - ends[i - 1].angle), 0.7 * std::fabs(ends[i - 1].angle - ends[i - 2].angle))
+          << to_string(kind);
+      EXPECT_LT(std::fabs(ends[i].grip_slip - ends[i - 1].grip_slip),
+                0.7 * std::fabs(ends[i - 1].grip_slip - ends[i - 2].grip_slip));
     }
   }
 }

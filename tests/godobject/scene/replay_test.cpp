@@ -11,7 +11,8 @@
 namespace limitcurve::godobject::test::replay_test {
 namespace {
 
-static_assert(noexcept(std::declval<Replay&>().step(0.0, std::declval<std::span<const DevicePose>>(), std::declval<const BodyPose&>())));
+static_assert(noexcept(std::declval<Replay&>().step(0.0, std::declval<std::span<const DevicePose>>(),
+                                                    std::declval<const BodyPose&>())));
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
@@ -88,8 +89,8 @@ TEST(Replay, ATurntableRubsAsEquation17Says) {
   const double load = 2.0;
   SceneContact contact;
   for (int i = 0; i <= 4000; ++i) {
-    contact =
-        moved(replay, i * 1e-3, pose({cor, 0.0, -load / with.finger.stiffness}), {Vector3d::Zero(), about(Vector3d::UnitZ(), 2e-4 * i)});
+    contact = moved(replay, i * 1e-3, pose({cor, 0.0, -load / with.finger.stiffness}),
+                    {Vector3d::Zero(), about(Vector3d::UnitZ(), 2e-4 * i)});
   }
   const UnitForces<double> exact = hertz()->forces(cor / radius);
   // The plate's material moves along +y and turns to the left: so does what it does to the finger.
@@ -111,10 +112,12 @@ TEST(Replay, FrictionOnABallIsTangential) {
   int slips = 0;
   for (int i = 0; i <= 2000; ++i) {
     const double angle = 1e-3 * i;
-    const Vector3d finger = (ball - 0.002) * Vector3d(std::sin(angle), 0.3 * std::sin(2.0 * angle), std::cos(angle)).normalized();
+    const Vector3d finger =
+        (ball - 0.002) * Vector3d(std::sin(angle), 0.3 * std::sin(2.0 * angle), std::cos(angle)).normalized();
     const SceneContact contact = moved(replay, i * 1e-3, {finger, about(Vector3d::UnitY(), angle), 0.0});
     slips += contact.state == ContactState::slip;
-    // The spring goes from the proxy on the ball to the finger: along the normal it is shorter than the depth by what the ball falls away.
+    // The spring goes from the proxy on the ball to the finger: along the normal it is shorter than the depth by what
+    // the ball falls away.
     const double deflection = contact.force.norm() / 1000.0;
     ASSERT_NEAR(contact.load, 1000.0 * (0.002 - (ball - std::sqrt(ball * ball - deflection * deflection))),
                 2.5e-6);  // k r^4/8R^3, r with a stride
@@ -151,7 +154,8 @@ TEST(Replay, TakesAFreeBodyAlong) {
   EXPECT_EQ(replay.body().velocity.z(), 0.0);
 }
 
-// While a sample is invalid the wrench is held in the body's frame: force and normal turn together. The position is the last good one.
+// While a sample is invalid the wrench is held in the body's frame: force and normal turn together. The position is the
+// last good one.
 TEST(Replay, HeldForceAndNormalTurnWithTheBody) {
   ReplayOptions with = options();
   with.motion = BodyMotion::prescribed;

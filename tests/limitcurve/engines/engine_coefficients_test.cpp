@@ -29,7 +29,8 @@ double coefficient(const EngineContact& contact, const std::string& parameter) {
   throw std::out_of_range(parameter);
 }
 
-/// The moment limit that each engine computes from what it was given, by its documentation or source; 0 where it has none.
+/// The moment limit that each engine computes from what it was given, by its documentation or source; 0 where it has
+/// none.
 double moment_limit(const EngineContact& contact, double load) {
   const std::string& engine = contact.engine;
   const auto number = [&](const char* parameter) { return coefficient(contact, parameter); };
@@ -42,11 +43,13 @@ double moment_limit(const EngineContact& contact, double load) {
            number("surface/friction/torsional/coefficient") * load;
   }
   if (engine == "physx") return number("PxMaterial.dynamicFriction") * number("PxShape.minTorsionalPatchRadius") * load;
-  if (engine == "isaac") return number("physics:dynamicFriction") * number("physxCollision:minTorsionalPatchRadius") * load;
+  if (engine == "isaac")
+    return number("physics:dynamicFriction") * number("physxCollision:minTorsionalPatchRadius") * load;
   if (engine == "sapien") return number("PhysxMaterial.dynamic_friction") * number("min_patch_radius") * load;
   if (engine == "bullet") return number("setSpinningFriction") * 1.0 * load;
   if (engine == "ode") return number("surface.rhoN") * load;
-  if (engine == "dex-net") return std::acos(-1.0) * std::pow(number("finger_radius"), 2) * number("friction_coef") * load;
+  if (engine == "dex-net")
+    return std::acos(-1.0) * std::pow(number("finger_radius"), 2) * number("friction_coef") * load;
   if (engine == "gz-sim-bullet") return number("surface/friction/torsional/coefficient") * 1.0 * load;
   if (contact.model == "point") return 0.0;
   throw std::out_of_range(engine);
@@ -57,7 +60,8 @@ TEST(EngineCoefficients, GiveEveryEngineTheExactLimits) {
     for (const double load : {0.5, 3.0, 12.0}) {
       for (const EngineContact& contact : translate(law, silicone, 0.8, load)) {
         const bool bears = contact.model != "point";
-        EXPECT_NEAR(moment_limit(contact, load) / (0.8 * load * law->moment_ratio() * silicone.radius(load)), bears ? 1.0 : 0.0, 1e-14)
+        EXPECT_NEAR(moment_limit(contact, load) / (0.8 * load * law->moment_ratio() * silicone.radius(load)),
+                    bears ? 1.0 : 0.0, 1e-14)
             << contact.engine;
         EXPECT_EQ(contact.documentation.substr(0, 4), "http");
         EXPECT_FALSE(contact.caveat.empty());
@@ -81,14 +85,17 @@ TEST(EngineCoefficients, WhatIsReadIsWhatWasTranslated) {
   for (const Law& law : {hertz(), uniform()}) {
     for (const EngineContact& contact : translate(law, silicone, 0.8, 3.0)) {
       std::vector<EngineNumber> numbers;
-      for (const EngineCoefficient& item : contact.coefficients) numbers.push_back({contact.engine, item.parameter, item.value});
-      const std::vector<CoefficientMeaning> read = read_coefficients(numbers, nan, law);  // all of a contact's numbers: its friction, too
+      for (const EngineCoefficient& item : contact.coefficients)
+        numbers.push_back({contact.engine, item.parameter, item.value});
+      const std::vector<CoefficientMeaning> read =
+          read_coefficients(numbers, nan, law);  // all of a contact's numbers: its friction, too
       ASSERT_EQ(read.size(), numbers.size());
       for (std::size_t i = 0; i < read.size(); ++i) {
         EXPECT_EQ(read[i].parameter, numbers[i].parameter);
         if (std::isnan(read[i].moment_per_load)) continue;
         ++moments;
-        EXPECT_NEAR(read[i].moment_per_load, 0.8 * law->moment_ratio() * silicone.radius(3.0), 1e-17) << read[i].parameter;
+        EXPECT_NEAR(read[i].moment_per_load, 0.8 * law->moment_ratio() * silicone.radius(3.0), 1e-17)
+            << read[i].parameter;
         EXPECT_NEAR(read[i].radius, silicone.radius(3.0), 1e-17) << read[i].parameter;
         EXPECT_EQ(read[i].note.find("default;"), std::string::npos) << read[i].note;
         // The loads scale the moment, and with it the number: half the lever is half of it, or its root.
@@ -100,7 +107,8 @@ TEST(EngineCoefficients, WhatIsReadIsWhatWasTranslated) {
   EXPECT_EQ(moments, 2 * 14);
 }
 
-CoefficientMeaning read_one(const std::string& engine, const std::string& parameter, double value, double mu, const Law& law) {
+CoefficientMeaning read_one(const std::string& engine, const std::string& parameter, double value, double mu,
+                            const Law& law) {
   return read_coefficients(std::array{EngineNumber{engine, parameter, value}}, mu, law).front();
 }
 
@@ -118,7 +126,8 @@ TEST(EngineCoefficients, AreReadByShortNamesAndOtherNamesOfEngines) {
   EXPECT_NEAR(maniskill.radius, 0.15, 1e-15);
   EXPECT_NE(maniskill.note.find("no fingertip"), std::string::npos);
   // An area: 37 times less than the contact of this radius bears.
-  EXPECT_NEAR(read_one("dexnet", "finger_radius", 0.005, 0.5, hertz()).moment_per_load, 0.5 * std::acos(-1.0) * 25e-6, 1e-19);
+  EXPECT_NEAR(read_one("dexnet", "finger_radius", 0.005, 0.5, hertz()).moment_per_load, 0.5 * std::acos(-1.0) * 25e-6,
+              1e-19);
   // Radii that go with the depth, and frictions, set no moment of their own.
   for (const auto& [engine, parameter] :
        {std::pair{"physx", "patch_radius"}, std::pair{"dart", "friction"}, std::pair{"pybullet", "rolling"}}) {
@@ -131,7 +140,8 @@ TEST(EngineCoefficients, AreReadByShortNamesAndOtherNamesOfEngines) {
   EXPECT_THROW(read_one("mujoco", "torsional", -1e-3, 0.5, hertz()), std::invalid_argument);
   EXPECT_THROW(read_one("mujoco", "torsional", nan, 0.5, hertz()), std::invalid_argument);
   EXPECT_THROW(read_one("mujoco", "torsional", 1e-3, 0.0, hertz()), std::invalid_argument);
-  EXPECT_THROW(read_one("mujoco", "torsional", 1e-3, nan, hertz()), std::invalid_argument);  // a radius needs a friction
+  EXPECT_THROW(read_one("mujoco", "torsional", 1e-3, nan, hertz()),
+               std::invalid_argument);  // a radius needs a friction
 }
 
 TEST(EngineCoefficients, NumbersOfOneEngineBelongTogether) {
@@ -145,20 +155,38 @@ TEST(EngineCoefficients, NumbersOfOneEngineBelongTogether) {
   const std::vector<Case> cases{
       // Gazebo multiplies by its own coefficient, 1 by default, and not by the friction of the force.
       {{{"gazebo", "patch_radius", 0.01}}, gazebo * 0.01, gazebo * 0.01 / 0.5 * 1.5, "with coefficient 1, the default"},
-      {{{"gazebo", "coefficient", 10.0}, {"gazebo", "patch_radius", 0.02}}, gazebo * 0.2, gazebo * 0.2 / 0.5 * 1.5, "no fingertip"},
+      {{{"gazebo", "coefficient", 10.0}, {"gazebo", "patch_radius", 0.02}},
+       gazebo * 0.2,
+       gazebo * 0.2 / 0.5 * 1.5,
+       "no fingertip"},
       {{{"gazebo", "mu", 3.0}, {"gazebo", "patch_radius", 0.01}}, gazebo * 0.01, gazebo * 0.01 / 3.0 * 1.5, "default"},
       {{{"gazebo", "coefficient", 0.0}, {"gazebo", "patch_radius", 0.02}}, 0.0, 0.0, "; no moment"},
-      {{{"gazebo", "use_patch_radius", 0.0}, {"gazebo", "patch_radius", 0.02}}, 0.0, 0.0, "needs use_patch_radius 1; no moment"},
+      {{{"gazebo", "use_patch_radius", 0.0}, {"gazebo", "patch_radius", 0.02}},
+       0.0,
+       0.0,
+       "needs use_patch_radius 1; no moment"},
       // Another engine's numbers do not matter, and a parameter that comes again begins another contact.
-      {{{"gazebo", "use_patch_radius", 0.0}, {"mujoco", "torsional", 0.005}}, 0.005, 0.015, "if condim 4: the default is 3"},
+      {{{"gazebo", "use_patch_radius", 0.0}, {"mujoco", "torsional", 0.005}},
+       0.005,
+       0.015,
+       "if condim 4: the default is 3"},
       {{{"mujoco", "condim", 3.0}, {"mujoco", "condim", 4.0}, {"mujoco", "torsional", 0.005}}, 0.005, 0.015, ""},
-      {{{"mujoco", "torsional", 0.005}, {"mujoco", "condim", 3.0}, {"mujoco", "torsional", 0.005}}, 0.005, 0.015, "if condim 4"},
+      {{{"mujoco", "torsional", 0.005}, {"mujoco", "condim", 3.0}, {"mujoco", "torsional", 0.005}},
+       0.005,
+       0.015,
+       "if condim 4"},
       {{{"mujoco", "condim", 3.0}, {"mujoco", "torsional", 0.005}}, 0.0, 0.0, "needs condim 4; no moment"},
       {{{"mujoco", "friction", 1.0}, {"mujoco", "torsional", 0.005}}, 0.005, 0.0075, ""},
       {{{"mujoco", "pair.condim", 3.0}, {"mujoco", "pair.torsional", 0.005}}, 0.0, 0.0, "needs pair.condim 4"},
-      {{{"genesis", "enable_torsional_friction", 0.0}, {"genesis", "torsional", 0.005}}, 0.0, 0.0, "needs enable_torsional_friction 1"},
+      {{{"genesis", "enable_torsional_friction", 0.0}, {"genesis", "torsional", 0.005}},
+       0.0,
+       0.0,
+       "needs enable_torsional_friction 1"},
       // PhysX multiplies by the friction of sliding.
-      {{{"physx", "static_friction", 0.9}, {"physx", "dynamic_friction", 0.8}, {"physx", "min_patch_radius", 0.01}}, 0.008, 0.015, ""},
+      {{{"physx", "static_friction", 0.9}, {"physx", "dynamic_friction", 0.8}, {"physx", "min_patch_radius", 0.01}},
+       0.008,
+       0.015,
+       ""},
       {{{"physx", "static_friction", 0.9}, {"physx", "min_patch_radius", 0.01}}, 0.009, 0.015, ""},
       {{{"isaac", "min_patch_radius", 0.0}}, 0.0, 0.0, "; no moment"},
       {{{"mujoco", "friction", 0.0}, {"mujoco", "torsional", 0.0}}, 0.0, 0.0, "; no moment"},
@@ -185,8 +213,8 @@ TEST(EngineCoefficients, APatchThatIsADiscIsTranslatedAsOne) {
     EXPECT_NEAR(patch[i].error.max_under_estimate, disc[i].error.max_under_estimate, 1e-6) << disc[i].model;
     EXPECT_NEAR(patch[i].max_wrench_error, disc[i].max_wrench_error, 1e-2) << disc[i].model;
   }
-  // Two points far apart: a pure spin bears all of the load at half their distance. About one of them only the other slides, with
-  // half the power that the box needs.
+  // Two points far apart: a pure spin bears all of the load at half their distance. About one of them only the other
+  // slides, with half the power that the box needs.
   constexpr std::array points{PatchLoad{-0.01, 0.0, 1.0}, PatchLoad{0.01, 0.0, 1.0}};
   for (const EngineContact& contact : translate(Patch::points(points), 0.5)) {
     if (contact.engine == "chrono") {
@@ -209,14 +237,16 @@ TEST(EngineCoefficients, PatchRadiusOfGazeboIsTheContactRadiusForHertz) {
   }
 }
 
-/// The largest distance in the normalised plane of both wrenches of one slip; the ellipse's has the direction (s, 1), s = c/(m₀ a).
+/// The largest distance in the normalised plane of both wrenches of one slip; the ellipse's has the direction (s, 1), s
+/// = c/(m₀ a).
 double largest_distance_of_wrenches(const Law& law) {
   const double m0 = law->moment_ratio();
   double worst = 0.0;
   for (int i = 0; i < 500; ++i) {
     const double s = std::tan(0.5 * std::acos(-1.0) * (i + 0.5) / 500);
     const UnitForces<double> exact = law->forces(m0 * s);
-    worst = std::max(worst, std::hypot(exact.force - s / std::hypot(s, 1.0), exact.moment / m0 - 1.0 / std::hypot(s, 1.0)));
+    worst =
+        std::max(worst, std::hypot(exact.force - s / std::hypot(s, 1.0), exact.moment / m0 - 1.0 / std::hypot(s, 1.0)));
   }
   return worst;
 }
@@ -262,9 +292,11 @@ TEST(EngineCoefficients, ErrorsDoNotDependOnTheUnitOfLength) {
     return all;
   };
   const std::vector<double> expected = errors(1.0, 0.005, 1.0);
-  for (const auto& [sigma, radius, load] : {std::array{1e-6, 0.005, 1.0}, {1e-3, 5.0, 1.0}, {1e6, 1e-9, 1.0}, {1.0, 0.005, 1e3}}) {
+  for (const auto& [sigma, radius, load] :
+       {std::array{1e-6, 0.005, 1.0}, {1e-3, 5.0, 1.0}, {1e6, 1e-9, 1.0}, {1.0, 0.005, 1e3}}) {
     const std::vector<double> found = errors(sigma, radius, load);
-    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-6 * expected[i]) << sigma << ' ' << i;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(found[i], expected[i], 1e-6 * expected[i]) << sigma << ' ' << i;
   }
 }
 

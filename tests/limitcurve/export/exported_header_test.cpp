@@ -40,10 +40,12 @@ TEST(ExportedHeader, NoNameIsTheEndOfAnother) {
   const std::string header = to_header(Table::build(hertz(), 1e-2), "thumb");
   const std::regex own("\\bthumb(_\\w+)");
   std::set<std::string> names;
-  for (std::sregex_iterator found(header.begin(), header.end(), own); found != std::sregex_iterator(); ++found) names.insert((*found)[1]);
+  for (std::sregex_iterator found(header.begin(), header.end(), own); found != std::sregex_iterator(); ++found)
+    names.insert((*found)[1]);
   EXPECT_GE(names.size(), 12U);
   for (const std::string& longer : names) {
-    for (const std::string& name : names) EXPECT_FALSE(longer != name && longer.ends_with(name)) << longer << ' ' << name;
+    for (const std::string& name : names)
+      EXPECT_FALSE(longer != name && longer.ends_with(name)) << longer << ' ' << name;
   }
 }
 
@@ -53,9 +55,11 @@ TEST(ExportedHeader, CarriesTheTablesChecksum) {
 }
 
 #ifndef _WIN32  // where there is no compiler
-/// Compiles a program that prints the wrenches at some twists by the header of `table`, and compares them with the table's.
+/// Compiles a program that prints the wrenches at some twists by the header of `table`, and compares them with the
+/// table's.
 void expect_compiles(const Table& table, const std::string& compiler, const std::string& extension) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / ("limitcurve_header_" + std::to_string(::getpid()) + extension);
+  const auto folder =
+      std::filesystem::path(testing::TempDir()) / ("limitcurve_header_" + std::to_string(::getpid()) + extension);
   std::filesystem::create_directories(folder);
   const std::string header = to_header(table);
   std::ofstream(folder / "table.h") << header;
@@ -65,7 +69,8 @@ void expect_compiles(const Table& table, const std::string& compiler, const std:
   const std::vector<SlipTwist> twists = probes();
   std::ofstream program(folder / ("use." + extension));
   program << "#include \"table.h\"\n#include \"table.h\"\n#include <stdio.h>\nstatic const double twists[][2] = {";
-  for (const SlipTwist twist : twists) program << '{' << format_number(twist.slide) << ',' << format_number(twist.spin) << "},";
+  for (const SlipTwist twist : twists)
+    program << '{' << format_number(twist.slide) << ',' << format_number(twist.spin) << "},";
   program << "};\n";
   if (extension == "cpp") {
     program << "static_assert(" << name << "_wrench(1.0, 0.0).force == 1.0, \"\");\n"
@@ -77,7 +82,9 @@ void expect_compiles(const Table& table, const std::string& compiler, const std:
           << "    printf(\"%.17g %.17g\\n\", found.force, found.moment);\n  }\n  return 0;\n}\n";
   program.close();
   const std::string directory = "cd '" + folder.string() + "' && ";
-  ASSERT_EQ(std::system((directory + compiler + " -Wall -Wextra -Wpedantic -Werror use." + extension + " -o use && ./use > found").c_str()),
+  ASSERT_EQ(std::system((directory + compiler + " -Wall -Wextra -Wpedantic -Werror use." + extension +
+                         " -o use && ./use > found")
+                            .c_str()),
             0);
   std::ifstream found(folder / "found");
   for (const SlipTwist twist : twists) {
@@ -90,12 +97,13 @@ void expect_compiles(const Table& table, const std::string& compiler, const std:
   std::filesystem::remove_all(folder);
 }
 
-// Once two tables of one law, and the laws power:n=0.5 and power:n=-0.5, had one name: a program of two files silently used one of them.
+// Once two tables of one law, and the laws power:n=0.5 and power:n=-0.5, had one name: a program of two files silently
+// used one of them.
 TEST(ExportedHeader, OfManyTablesLiveInOneProgram) {
   const auto folder = std::filesystem::path(testing::TempDir()) / ("limitcurve_headers_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
-  const std::vector<Table> tables{Table::build(hertz(), 1e-2), Table::build(hertz(), 1e-6), Table::build(power(0.5), 1e-2),
-                                  Table::build(power(-0.5), 1e-2)};
+  const std::vector<Table> tables{Table::build(hertz(), 1e-2), Table::build(hertz(), 1e-6),
+                                  Table::build(power(0.5), 1e-2), Table::build(power(-0.5), 1e-2)};
   std::ofstream all(folder / "all.cpp");
   all << "#include <stdio.h>\n";
   std::string mains;
@@ -110,15 +118,19 @@ TEST(ExportedHeader, OfManyTablesLiveInOneProgram) {
     all << "#include \"table" << number << ".h\"\n";
     // Chosen names may even be equal, in files of their own.
     std::ofstream(folder / ("same" + number + ".h")) << to_header(tables[i], "finger");
-    std::ofstream(folder / ("same" + number + ".cpp")) << "#include \"same" << number << ".h\"\ndouble same" << number
-                                                       << "() { return finger_wrench(1.0, 1.0).moment + finger_moment_ratio; }\n";
+    std::ofstream(folder / ("same" + number + ".cpp"))
+        << "#include \"same" << number << ".h\"\ndouble same" << number
+        << "() { return finger_wrench(1.0, 1.0).moment + finger_moment_ratio; }\n";
     all << "double same" << number << "();\n";
-    mains += "  printf(\"%.17g %.17g\\n\", " + name + "_wrench(-1.0, 1.0).moment + " + name + "_moment_ratio, same" + number + "());\n";
+    mains += "  printf(\"%.17g %.17g\\n\", " + name + "_wrench(-1.0, 1.0).moment + " + name + "_moment_ratio, same" +
+             number + "());\n";
   }
   all << "int main() {\n" << mains << "}\n";
   all.close();
   const std::string directory = "cd '" + folder.string() + "' && ";
-  ASSERT_EQ(std::system((directory + "c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror all.cpp same?.cpp -o use && ./use > found").c_str()),
+  ASSERT_EQ(std::system((directory +
+                         "c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror all.cpp same?.cpp -o use && ./use > found")
+                            .c_str()),
             0);
   std::ifstream found(folder / "found");
   for (const Table& table : tables) {

@@ -16,10 +16,12 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-/// What a program in C or C++, made with the header of a table, prints of trials: gauge, and force and moment of the closest point.
+/// What a program in C or C++, made with the header of a table, prints of trials: gauge, and force and moment of the
+/// closest point.
 std::vector<std::array<double, 3>> by_header(const Table& table, const std::string& compiler,
                                              const std::vector<std::array<double, 3>>& trials) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / ("limitcurve_projection_" + std::to_string(::getpid()));
+  const auto folder =
+      std::filesystem::path(testing::TempDir()) / ("limitcurve_projection_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "thumb.h") << to_header(table, "thumb");
   std::ofstream(folder / "use.c") << R"(#include "thumb.h"
@@ -40,7 +42,9 @@ int main(void) {
   const std::string command =
       "cd '" + folder.string() + "' && " + compiler + " -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror use.c -o use";
   EXPECT_EQ(std::system((command + " && ./use <trials >found").c_str()), 0);
-  EXPECT_EQ(std::ifstream(folder / "found", std::ios::binary).read(reinterpret_cast<char*>(found.data()), size).gcount(), size);
+  EXPECT_EQ(
+      std::ifstream(folder / "found", std::ios::binary).read(reinterpret_cast<char*>(found.data()), size).gcount(),
+      size);
   std::filesystem::remove_all(folder);
   return found;
 }
@@ -57,7 +61,8 @@ TEST(ExportedHeader, ItsClosestPointIsTheLibrarys) {
                                   Table({"cone", 1e-6, 1e-6}, FloatTable::build(cone(), 1e-6).cells())};
   for (const Table& table : tables) {
     ++of_degree[static_cast<std::size_t>(table.degree())];
-    std::vector<std::array<double, 3>> trials{{0.0, 0.0, 1.0}, {2.0, 0.0, 1e-3}, {0.0, -2.0, 1e3}, {1e30, 1e30, 1.0}, {1e-30, 3.0, 7.0}};
+    std::vector<std::array<double, 3>> trials{
+        {0.0, 0.0, 1.0}, {2.0, 0.0, 1e-3}, {0.0, -2.0, 1e3}, {1e30, 1e30, 1.0}, {1e-30, 3.0, 7.0}};
     while (trials.size() < static_cast<std::size_t>(repetitions(20'000)))
       trials.push_back({random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0), random.logarithmic(1e-3, 1e3)});
     for (const char* const compiler : {"cc -std=c99", "c++ -std=c++17 -x c++"}) {

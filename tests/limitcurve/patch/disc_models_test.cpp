@@ -19,12 +19,14 @@
 namespace limitcurve::test {
 namespace {
 
-// What docs/which_number.md advises for engines without a moment at a point. The limit is weakest where a ball does not move.
+// What docs/which_number.md advises for engines without a moment at a point. The limit is weakest where a ball does not
+// move.
 TEST(DiscModels, ThreeBallsAreUpTo13PercentTooWeak) {
   const ExactCurve hertz_curve(hertz());
   const double m0 = hertz_curve.moment_ratio();
   const double half = m0 * std::sqrt(3.0) / 2.0;
-  const Patch balls = Patch::points(std::vector<PatchLoad>{{m0, 0.0, 1.0}, {-m0 / 2.0, half, 1.0}, {-m0 / 2.0, -half, 1.0}});
+  const Patch balls =
+      Patch::points(std::vector<PatchLoad>{{m0, 0.0, 1.0}, {-m0 / 2.0, half, 1.0}, {-m0 / 2.0, -half, 1.0}});
   const auto gauge = [&](const PatchTwist& twist) {
     const PatchWrench wrench = balls.wrench(twist);
     return hertz_curve.gauge({std::hypot(wrench.fx, wrench.fy), std::fabs(wrench.moment)});
@@ -54,8 +56,10 @@ TEST(DiscModels, OfADiscAreTheDiscAndTheEllipse) {
     EXPECT_NEAR(model(models, "ellipsoid").error.max_over_estimate, ellipse.max_over_estimate, 1e-6) << name;
     EXPECT_NEAR(model(models, "ellipsoid").error.max_cor_error, ellipse.max_cor_error, 1e-4) << name;
   }
-  EXPECT_NEAR(model(disc_models(Patch::ellipse(hertz(), 0.008, 0.004)), "ellipsoid").error.max_over_estimate, 0.1009, 6e-5);
-  EXPECT_NEAR(model(disc_models(Patch::ellipse(hertz(), 0.020, 0.004)), "ellipsoid").error.max_over_estimate, 0.1217, 6e-5);
+  EXPECT_NEAR(model(disc_models(Patch::ellipse(hertz(), 0.008, 0.004)), "ellipsoid").error.max_over_estimate, 0.1009,
+              6e-5);
+  EXPECT_NEAR(model(disc_models(Patch::ellipse(hertz(), 0.020, 0.004)), "ellipsoid").error.max_over_estimate, 0.1217,
+              6e-5);
 }
 
 TEST(DiscModels, TheBestDiscIsBalancedAndBetterThanThatOfEqualArea) {
@@ -70,10 +74,13 @@ TEST(DiscModels, TheBestDiscIsBalancedAndBetterThanThatOfEqualArea) {
     EXPECT_LT(best.max_error, equal_area.error.max_error) << radius;
     EXPECT_NEAR(best.max_over_estimate / best.max_under_estimate, 1.0, 1e-3) << radius;
   }
-  EXPECT_NEAR(model(disc_models(Patch::ellipse(cone(), 0.02, 0.005).orthotropic(2.0, 0.5)), "disc-equal-area:").parameter, 0.01, 1e-11);
+  EXPECT_NEAR(
+      model(disc_models(Patch::ellipse(cone(), 0.02, 0.005).orthotropic(2.0, 0.5)), "disc-equal-area:").parameter, 0.01,
+      1e-11);
 }
 
-// The over-estimate has a sharp maximum where the COR is on a point that bears much of the load: there H lacks that point's term.
+// The over-estimate has a sharp maximum where the COR is on a point that bears much of the load: there H lacks that
+// point's term.
 TEST(DiscModels, OfPointsAreTriedWithTheCorOnEachPoint) {
   std::mt19937 bits(7);
   const auto uniform = [&bits] { return std::generate_canonical<double, 53>(bits); };

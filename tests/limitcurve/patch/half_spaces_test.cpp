@@ -40,7 +40,8 @@ std::function<double(const PatchTwist&)> sum_of(std::vector<PatchLoad> points) {
 }
 
 /// Squares of side `pitch` whose middles have a pressure.
-std::vector<PatchLoad> squares(double x, double y, double pitch, const std::function<double(double, double)>& pressure) {
+std::vector<PatchLoad> squares(double x, double y, double pitch,
+                               const std::function<double(double, double)>& pressure) {
   std::vector<PatchLoad> points;
   for (double u = -x + pitch / 2; u < x; u += pitch) {
     for (double v = -y + pitch / 2; v < y; v += pitch) {
@@ -52,11 +53,17 @@ std::vector<PatchLoad> squares(double x, double y, double pitch, const std::func
 
 std::vector<HalfSpaceCase> half_space_cases() {
   const std::vector<PatchLoad> uneven{{0.1, 0.05, 1.0}, {0.1, -0.05, 2.0}, {-0.1, 0.02, 0.5}};
-  const auto in_ell = [](double x, double y) { return x > 0 && y > 0 && x < 4 && y < 3 && (x < 1 || y < 1) ? 1.0 : 0.0; };
+  const auto in_ell = [](double x, double y) {
+    return x > 0 && y > 0 && x < 4 && y < 3 && (x < 1 || y < 1) ? 1.0 : 0.0;
+  };
   const auto everywhere = [](double, double) { return 1.0; };
   const auto hertzian = [](double x, double y) { return std::sqrt(std::max(0.0, 1.0 - x * x - y * y)); };
   const auto rectangle = sum_of(squares(0.1, 0.05, 0.2 / 120, everywhere));
-  return {{"disc", Patch::ellipse(hertz(), 1.0, 1.0), sum_of(squares(1, 1, 1.0 / 60, hertzian)), 2e-4, {0.612, 0.799, 0.902, 0.946, 0.972}},
+  return {{"disc",
+           Patch::ellipse(hertz(), 1.0, 1.0),
+           sum_of(squares(1, 1, 1.0 / 60, hertzian)),
+           2e-4,
+           {0.612, 0.799, 0.902, 0.946, 0.972}},
           {"rectangle", Patch::rectangle(0.2, 0.1), rectangle, 2e-4, {0.609, 0.790, 0.891, 0.937, 0.962}},
           {"L beside the origin", Patch::polygon(ell), sum_of(squares(4, 4, 1.0 / 20, in_ell)), 1e-3, {0, 0, 0, 0, 0}},
           {"uneven points", Patch::points(uneven), sum_of(uneven), 1e-13, {0.502, 0.581, 0.701, 0.824, 0.895}},
@@ -64,7 +71,8 @@ std::vector<HalfSpaceCase> half_space_cases() {
            Patch::rectangle(0.2, 0.1).orthotropic(1.0, 0.5),
            [points = squares(0.1, 0.05, 0.2 / 120, everywhere)](const PatchTwist& t) {
              double sum = 0.0;
-             for (const auto& [x, y, weight] : points) sum += std::hypot(t.vx - t.omega * y, 0.5 * (t.vy + t.omega * x));
+             for (const auto& [x, y, weight] : points)
+               sum += std::hypot(t.vx - t.omega * y, 0.5 * (t.vy + t.omega * x));
              return sum / static_cast<double>(points.size());
            },
            2e-4,
@@ -81,8 +89,8 @@ double largest(const HalfSpaces& half_spaces, const PatchWrench& wrench) {
   return most;
 }
 
-// A wrench that satisfies the rows is within every tangent plane of the limit surface, whose powers are summed by brute force; and so it is
-// by the patch's own gauge, exactly. A million wrenches a patch by night.
+// A wrench that satisfies the rows is within every tangent plane of the limit surface, whose powers are summed by brute
+// force; and so it is by the patch's own gauge, exactly. A million wrenches a patch by night.
 TEST(HalfSpaces, NoWrenchInsideSlips) {
   const int planes = repetitions(studies_are_whole() ? 2000 : 400, 50);
   const int wrenches = repetitions(studies_are_whole() ? 1000000 : 4000);
@@ -136,18 +144,21 @@ TEST(HalfSpaces, KeepTheStatedShareInEveryDirection) {
         least = std::min(least, load_to_hold(one.patch, 1.0, w) / largest(found, w));
       }
       EXPECT_GE(least, found.share * (1.0 - 1e-9)) << one.name << rows;
-      const PatchWrench touched = one.patch.about_origin({found.rows[0].fx, found.rows[0].fy, found.rows[0].moment}).wrench;
+      const PatchWrench touched =
+          one.patch.about_origin({found.rows[0].fx, found.rows[0].fy, found.rows[0].moment}).wrench;
       EXPECT_NEAR(1.0 / largest(found, touched), found.share, 1e-9) << one.name << rows;
-      // Rows and vertices describe the same polytope: each vertex is on three rows or more, and each row has three vertices or more.
+      // Rows and vertices describe the same polytope: each vertex is on three rows or more, and each row has three
+      // vertices or more.
       for (const PatchWrench& vertex : found.vertices) {
         EXPECT_NEAR(largest(found, vertex), 1.0, 1e-8);
-        EXPECT_GE(
-            std::count_if(found.rows.begin(), found.rows.end(), [&](const HalfSpace& row) { return times(row, vertex) > 1.0 - 1e-7; }), 3);
+        EXPECT_GE(std::count_if(found.rows.begin(), found.rows.end(),
+                                [&](const HalfSpace& row) { return times(row, vertex) > 1.0 - 1e-7; }),
+                  3);
       }
       for (const HalfSpace& row : found.rows) {
-        EXPECT_GE(
-            std::count_if(found.vertices.begin(), found.vertices.end(), [&](const PatchWrench& v) { return times(row, v) > 1.0 - 1e-7; }),
-            3)
+        EXPECT_GE(std::count_if(found.vertices.begin(), found.vertices.end(),
+                                [&](const PatchWrench& v) { return times(row, v) > 1.0 - 1e-7; }),
+                  3)
             << one.name << rows;
       }
     }

@@ -50,14 +50,17 @@ void expect_ellipse(const char* law_name, double bound) {
 }
 
 TEST(PatchEllipse, SmoothLawsAreTheIntegralOverRays) {
-  for (const char* law : {"hertz", "flat-punch", "uniform", "parabolic", "cone", "power:n=2.3", "power:n=-0.3", "power:n=0.2"}) {
+  for (const char* law :
+       {"hertz", "flat-punch", "uniform", "parabolic", "cone", "power:n=2.3", "power:n=-0.3", "power:n=0.2"}) {
     expect_ellipse(law, accuracy::patch_ellipse);
   }
 }
 
 TEST(PatchEllipse, OtherLawsAreTheIntegralOverRays) {
-  for (const char* law : {"xydas-kao:k=3", "xydas-kao:k=1", "gaussian:sigma=0.4", "mix:0.7*hertz+0.3*uniform", "power:n=-0.9"}) {
-    // In double the rays end too far from this rim: they give ten digits, while the patch gives the same 17 as elsewhere.
+  for (const char* law :
+       {"xydas-kao:k=3", "xydas-kao:k=1", "gaussian:sigma=0.4", "mix:0.7*hertz+0.3*uniform", "power:n=-0.9"}) {
+    // In double the rays end too far from this rim: they give ten digits, while the patch gives the same 17 as
+    // elsewhere.
     if (!accuracy::has_extended && parse_law(law)->rim_exponent() <= -0.9L) continue;  // as in law_suite.cpp
     expect_ellipse(law, accuracy::patch_ellipse_other);
   }
@@ -77,18 +80,21 @@ TEST(PatchEllipse, OfEqualAxesIsTheDisc) {
 }
 
 TEST(PatchEllipse, OfSharpLawsKeepsItsStatedError) {
-  for (const char* name : {"power:n=100", "power:n=500", "power:n=1000", "xydas-kao:k=0.05", "mix:0.5*hertz+0.5*power:n=1000",
-                           "mix:0.999*uniform+0.001*power:n=1000"}) {
+  for (const char* name : {"power:n=100", "power:n=500", "power:n=1000", "xydas-kao:k=0.05",
+                           "mix:0.5*hertz+0.5*power:n=1000", "mix:0.999*uniform+0.001*power:n=1000"}) {
     const Law law = parse_law(name);
     const double radius = 0.004;
     const Patch disc = Patch::ellipse(law, radius, radius);
     const double m0 = disc.moment_ratio();
     for (const double s : {0.0, 1e-5, 1e-3, 0.003, 0.01, 0.03, 0.1, 0.3, 0.8, 1.0, 1.01, 2.0, 1e3}) {
       for (const double angle : {0.0, 0.7, 2.9}) {
-        const PatchFriction friction = disc.about_origin(about({radius * s * std::cos(angle), radius * s * std::sin(angle)}));
+        const PatchFriction friction =
+            disc.about_origin(about({radius * s * std::cos(angle), radius * s * std::sin(angle)}));
         const WrenchEstimate exact = law->evaluate(s);
-        EXPECT_NEAR(std::hypot(friction.wrench.fx, friction.wrench.fy), exact.wrench.force, friction.error) << name << ' ' << s;
-        EXPECT_NEAR(friction.wrench.moment / m0, exact.wrench.moment / law->moment_ratio(), friction.error) << name << ' ' << s;
+        EXPECT_NEAR(std::hypot(friction.wrench.fx, friction.wrench.fy), exact.wrench.force, friction.error)
+            << name << ' ' << s;
+        EXPECT_NEAR(friction.wrench.moment / m0, exact.wrench.moment / law->moment_ratio(), friction.error)
+            << name << ' ' << s;
       }
     }
   }
@@ -104,7 +110,8 @@ TEST(PatchEllipse, OfSharpLawsKeepsItsStatedError) {
 TEST(PatchEllipse, OfATooSharpLawIsRefusedByName) {
   for (const char* name : {"xydas-kao:k=0.01", "xydas-kao:k=0.03"}) {
     const std::string text = complaint([&] { return Patch::ellipse(parse_law(name), 0.004, 0.002); });
-    for (const std::string& part : {std::string(name), std::string("k >= 0.05")}) EXPECT_NE(text.find(part), std::string::npos) << text;
+    for (const std::string& part : {std::string(name), std::string("k >= 0.05")})
+      EXPECT_NE(text.find(part), std::string::npos) << text;
   }
 }
 
@@ -117,9 +124,10 @@ TEST(PatchEllipse, OfAMixtureIsTheMixture) {
     const PatchFriction a = one.evaluate(twist);
     const PatchFriction b = other.evaluate(twist);
     const auto mean = [&](double first, double second) { return 0.25 * first + 0.75 * second; };
-    const PatchFriction expected{mean(a.power, b.power),
-                                 {mean(a.wrench.fx, b.wrench.fx), mean(a.wrench.fy, b.wrench.fy), mean(a.wrench.moment, b.wrench.moment)},
-                                 0.0};
+    const PatchFriction expected{
+        mean(a.power, b.power),
+        {mean(a.wrench.fx, b.wrench.fx), mean(a.wrench.fy, b.wrench.fy), mean(a.wrench.moment, b.wrench.moment)},
+        0.0};
     EXPECT_LE(test::difference(mixed.evaluate(twist), expected, mixed.moment_ratio()), 1e-10);
   }
 }
@@ -128,9 +136,13 @@ TEST(PatchEllipse, LargestMomentIsThatOfTheDiscOfEqualPerimeter) {
   for (const std::string_view name : law_examples()) {
     const Law law = parse_law(name);
     for (const double aspect : {1.0, 1.5, 2.0, 3.0, 5.0, 20.0}) {
-      const double a_eff = 2.0 / std::numbers::pi * aspect * boost::math::ellint_2(std::sqrt(1.0 - 1.0 / (aspect * aspect)));
-      EXPECT_NEAR(Patch::ellipse(law, aspect, 1.0).moment_ratio() / (law->moment_ratio() * a_eff), 1.0, 1e-12) << name << ' ' << aspect;
-      EXPECT_NEAR(Patch::ellipse(law, 0.1, 0.1 * aspect).moment_ratio() / (0.1 * law->moment_ratio() * a_eff), 1.0, 1e-12) << name;
+      const double a_eff =
+          2.0 / std::numbers::pi * aspect * boost::math::ellint_2(std::sqrt(1.0 - 1.0 / (aspect * aspect)));
+      EXPECT_NEAR(Patch::ellipse(law, aspect, 1.0).moment_ratio() / (law->moment_ratio() * a_eff), 1.0, 1e-12)
+          << name << ' ' << aspect;
+      EXPECT_NEAR(Patch::ellipse(law, 0.1, 0.1 * aspect).moment_ratio() / (0.1 * law->moment_ratio() * a_eff), 1.0,
+                  1e-12)
+          << name;
     }
   }
 }
@@ -142,7 +154,8 @@ TEST(PatchEllipse, BeyondAnAspectOfTwentyKeepsItsError) {
       const Patch patch = Patch::ellipse(law, 1.0, aspect);
       for (const PatchPoint cor : {PatchPoint{0, 0}, {0.3, 0.2 * aspect}, {1.2, 0.1}, {0.1, 1.1 * aspect}}) {
         const PatchFriction exact = test::ellipse_by_rays(*law, 1.0, aspect, about(cor));
-        EXPECT_LE(test::difference(patch.evaluate(about(cor)), exact, patch.moment_ratio()), stated(patch, about(cor))) << name << aspect;
+        EXPECT_LE(test::difference(patch.evaluate(about(cor)), exact, patch.moment_ratio()), stated(patch, about(cor)))
+            << name << aspect;
       }
     }
   }

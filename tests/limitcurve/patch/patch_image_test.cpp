@@ -42,7 +42,8 @@ TEST(PatchImage, IsTheSumOfItsSquaresToItsStatedError) {
   expect(few, 4, -1.0, 0.1);
 }
 
-/// An even rectangle of full sides (x, y) under orthotropic friction by brute force: an isotropic one of the stretched sides.
+/// An even rectangle of full sides (x, y) under orthotropic friction by brute force: an isotropic one of the stretched
+/// sides.
 PatchFriction stretched_rectangle(double x, double y, double mx, double my, PatchTwist twist) {
   twist = {mx * twist.vx, my * twist.vy, twist.omega};
   PatchFriction friction = test::polygon_by_triangles(rectangle(my * x, mx * y), twist, {0, 0});
@@ -61,7 +62,8 @@ TEST(PatchImage, OfOnesIsTheRectangleWithTheCorOnEdgesCornersAndMiddlesOfPixels)
     for (std::size_t i = 0; i <= 2 * columns; ++i) {
       for (std::size_t j = 0; j <= 2 * rows; ++j) {
         const PatchTwist twist =
-            about({0.5 * pixel * (static_cast<double>(i) - columns), 0.5 * pixel * (static_cast<double>(j) - rows)}, j % 2 ? 1.0 : -3.0);
+            about({0.5 * pixel * (static_cast<double>(i) - columns), 0.5 * pixel * (static_cast<double>(j) - rows)},
+                  j % 2 ? 1.0 : -3.0);
         const PatchFriction exact = stretched_rectangle(columns * pixel, rows * pixel, mx, my, twist);
         const double error = test::difference(image.evaluate(twist), exact, image.moment_ratio());
         EXPECT_LE(error, image.about_origin(twist).error) << mx << ' ' << my << ": " << i << ' ' << j;
@@ -94,7 +96,8 @@ TEST(PatchImage, NegativePressuresAreNoiseThatTellsItsOwnSize) {
   const double moment_ratio = Patch::image(clean, 8, 1e-3).moment_ratio();
   const Patch patch = Patch::image(noisy, 8, 1e-3).orthotropic(1.0, 2.0).orthotropic(1.0, 0.5);
   EXPECT_EQ(patch.moment_ratio(), moment_ratio);
-  const std::vector<std::string> lines{"note: 47 pressures are negative, down to -0.004; 48 up to 0.006 count as 0, -1.2 % of the load"};
+  const std::vector<std::string> lines{
+      "note: 47 pressures are negative, down to -0.004; 48 up to 0.006 count as 0, -1.2 % of the load"};
   EXPECT_EQ(patch.remarks(), lines);
   for (double& pressure : noisy) pressure = std::fabs(pressure);
   EXPECT_EQ(Patch::image(noisy, 8, 1e-3, 1e-3, 0.02).moment_ratio(), moment_ratio);

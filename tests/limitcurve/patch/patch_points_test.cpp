@@ -23,7 +23,8 @@ TEST(PatchPoints, AreTheExactSum) {
     const PatchFriction exact = test::points_by_sum(loads, twist, patch.centre());
     EXPECT_LE(test::difference(patch.evaluate(twist), exact, patch.moment_ratio()), 1e-13);
     const PatchFriction about_origin = test::points_by_sum(loads, twist, {0, 0});
-    EXPECT_LE(test::difference(patch.about_origin(twist), about_origin, patch.moment_ratio()), patch.about_origin(twist).error);
+    EXPECT_LE(test::difference(patch.about_origin(twist), about_origin, patch.moment_ratio()),
+              patch.about_origin(twist).error);
   }
 }
 
@@ -63,7 +64,8 @@ TEST(PatchPoints, ADumbbellHasAnEllipseAndADiamond) {
 }
 
 TEST(PatchPoints, TwoHoldWhatEachBearsOfIt) {
-  // Along y each bears its part of force and moment; along x the two may share as they like. The least load by bisection of one unknown.
+  // Along y each bears its part of force and moment; along x the two may share as they like. The least load by
+  // bisection of one unknown.
   std::mt19937 bits(11);
   std::normal_distribution<double> normal;
   const double d = 0.01;
@@ -76,7 +78,8 @@ TEST(PatchPoints, TwoHoldWhatEachBearsOfIt) {
     double low = 2.0 * std::max(std::fabs(left), std::fabs(right));
     double high = 2.0 * (low + std::fabs(wrench.fx));
     const auto holds = [&](double load) {
-      return std::sqrt(load * load / 4.0 - left * left) + std::sqrt(load * load / 4.0 - right * right) >= std::fabs(wrench.fx);
+      return std::sqrt(load * load / 4.0 - left * left) + std::sqrt(load * load / 4.0 - right * right) >=
+             std::fabs(wrench.fx);
     };
     for (int k = 0; k < 100 && !holds(low); ++k) (holds(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
     EXPECT_NEAR(load_to_hold(patch, 0.5, wrench) * 0.5 / low, 1.0, 1e-11) << i;
@@ -89,9 +92,10 @@ TEST(PatchPoints, WhatOneBearsInPartSlipsAboutIt) {
   std::uniform_real_distribution<double> number(0.0, 1.0);
   for (std::size_t i = 0; i < 2000; ++i) {
     std::vector<PatchLoad> loads(3 + bits() % 6);
-    for (PatchLoad& one : loads) one = {0.01 * std::floor(10.0 * number(bits)), 0.1 * number(bits), 0.125 + number(bits)};
-    const double sum =
-        std::accumulate(loads.begin(), loads.end(), 0.0, [](double before, const PatchLoad& one) { return before + one.load; });
+    for (PatchLoad& one : loads)
+      one = {0.01 * std::floor(10.0 * number(bits)), 0.1 * number(bits), 0.125 + number(bits)};
+    const double sum = std::accumulate(loads.begin(), loads.end(), 0.0,
+                                       [](double before, const PatchLoad& one) { return before + one.load; });
     for (PatchLoad& one : loads) one.load /= sum;
     const double mx = i % 3 == 0 ? 0.1 + number(bits) : 1.0;
     const Patch patch = Patch::points(loads).orthotropic(mx, 1.0);
@@ -112,7 +116,8 @@ TEST(PatchPoints, WhatOneBearsInPartSlipsAboutIt) {
       const double angle = 6.3 * number(bits);
       const double fx = part * at.load * mx * std::cos(angle);
       const double fy = part * at.load * std::sin(angle);
-      const auto [slip, gauge, error] = patch.slip({others.fx + fx, others.fy + fy, others.moment + at.x * fy - at.y * fx});
+      const auto [slip, gauge, error] =
+          patch.slip({others.fx + fx, others.fy + fy, others.moment + at.x * fy - at.y * fx});
       const double off = std::hypot(slip.vx - slip.omega * at.y, slip.vy + slip.omega * at.x);
       const bool is_about_it = off <= (mx == 1.0 ? 0.0 : 1e-15 * slip.omega);
       EXPECT_NEAR(gauge, 1.0, part > 1.0 ? 1e-6 : 1e-12) << i << ' ' << part;
@@ -125,14 +130,15 @@ TEST(PatchPoints, WhatOneBearsInPartSlipsAboutIt) {
   }
 }
 
-// Near a point the direction of its force changes fast. What is missing from the slip's own forces to the wrench, each by the law of
-// friction, is no more than stated; a point about which it slips may bear any force up to its load.
+// Near a point the direction of its force changes fast. What is missing from the slip's own forces to the wrench, each
+// by the law of friction, is no more than stated; a point about which it slips may bear any force up to its load.
 TEST(PatchPoints, BesideOneTheErrorOfASlipIsHonest) {
   std::mt19937 bits(31);
   std::uniform_real_distribution<double> number(0.0, 1.0);
   for (int i = 0; i < 20000; ++i) {
     std::vector<PatchLoad> loads(3 + bits() % 6);
-    for (PatchLoad& one : loads) one = {0.1 * number(bits), 0.1 * number(bits), 1.0 / static_cast<double>(loads.size())};
+    for (PatchLoad& one : loads)
+      one = {0.1 * number(bits), 0.1 * number(bits), 1.0 / static_cast<double>(loads.size())};
     const Patch patch = Patch::points(loads);
     const double away = std::pow(10.0, -16.0 * number(bits)), angle = 6.3 * number(bits);
     const double x = loads[0].x + 0.01 * away * std::cos(angle);
@@ -158,7 +164,8 @@ TEST(PatchPoints, BesideOneTheErrorOfASlipIsHonest) {
       const double part = bears->load / std::max(bears->load, std::hypot(left.fx, left.fy));
       take(*bears, part * left.fx, part * left.fy);
     }
-    EXPECT_LE(std::max(std::hypot(left.fx, left.fy), std::fabs(left.moment) / patch.moment_ratio()), error + 1e-14) << i << ' ' << away;
+    EXPECT_LE(std::max(std::hypot(left.fx, left.fy), std::fabs(left.moment) / patch.moment_ratio()), error + 1e-14)
+        << i << ' ' << away;
     EXPECT_LT(error, 1e-5) << i << ' ' << away;
   }
 }
@@ -182,7 +189,8 @@ TEST(PatchPoints, OneHoldsForcesThroughItself) {
     const double fy = newton * number(bits);
     const double moment = x * fy - y * fx;
     const double load = std::hypot(fx / mx, fy / my) / 0.5;
-    EXPECT_NEAR(load_to_hold(patch, 0.5, {fx, fy, moment}), load, 1e-14 * load) << x << ' ' << y << ' ' << mx << ' ' << my;
+    EXPECT_NEAR(load_to_hold(patch, 0.5, {fx, fy, moment}), load, 1e-14 * load)
+        << x << ' ' << y << ' ' << mx << ' ' << my;
     EXPECT_NEAR(patch.slip({fx, fy, moment}).gauge, 0.5 * load, 1e-14 * load);
     const double more = 1e-14 * (std::fabs(x * fy) + std::fabs(y * fx));
     EXPECT_EQ(load_to_hold(patch, 0.5, {fx, fy, moment + more}), std::numeric_limits<double>::infinity());
@@ -214,14 +222,19 @@ TEST(PatchOrthotropic, TwistsOfAnySizeGiveTheSameWrench) {
   for (const auto& [mx, my] : {std::pair{1.0, 1.0}, {7.3, 1.6}, {0.03, 0.9}}) {
     const Patch patch = Patch::points(loads).orthotropic(mx, my);
     for (const double size : {1e-318, 3e-308, 1e-200, 1e200, 4e307, 0.85e308}) {
-      for (const PatchTwist& twist : {PatchTwist{size, -2.0 * size, 0.0}, {0.3 * size, size, 2.0 * size}, {0.0, 0.0, -size}}) {
+      for (const PatchTwist& twist :
+           {PatchTwist{size, -2.0 * size, 0.0}, {0.3 * size, size, 2.0 * size}, {0.0, 0.0, -size}}) {
         // The same twist times a power of two: no digit of it changes.
         const int exponent = -std::ilogb(size);
-        const PatchTwist usual{std::ldexp(twist.vx, exponent), std::ldexp(twist.vy, exponent), std::ldexp(twist.omega, exponent)};
+        const PatchTwist usual{std::ldexp(twist.vx, exponent), std::ldexp(twist.vy, exponent),
+                               std::ldexp(twist.omega, exponent)};
         const PatchFriction exact = points_by_sum(loads, usual, {0, 0}, mx, my);
         const PatchFriction friction = patch.about_origin(twist);
-        EXPECT_LE(std::hypot(friction.wrench.fx - exact.wrench.fx, friction.wrench.fy - exact.wrench.fy), friction.error) << size;
-        EXPECT_LE(std::fabs(friction.wrench.moment - exact.wrench.moment), friction.error * patch.moment_ratio()) << size;
+        EXPECT_LE(std::hypot(friction.wrench.fx - exact.wrench.fx, friction.wrench.fy - exact.wrench.fy),
+                  friction.error)
+            << size;
+        EXPECT_LE(std::fabs(friction.wrench.moment - exact.wrench.moment), friction.error * patch.moment_ratio())
+            << size;
         EXPECT_EQ(friction.power, static_cast<double>(std::ldexp(patch.about_origin(usual).power, -exponent))) << size;
       }
     }

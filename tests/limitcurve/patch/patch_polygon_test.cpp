@@ -49,7 +49,8 @@ TEST(PatchPolygon, WithTheCorOnVerticesEdgesAndTheirLines) {
   }
 }
 
-// Twice the mean distance from a corner of a unit square, B₂(1) (Bailey, Borwein, Crandall, J. Comput. Appl. Math. 206:196, 2007).
+// Twice the mean distance from a corner of a unit square, B₂(1) (Bailey, Borwein, Crandall, J. Comput. Appl. Math.
+// 206:196, 2007).
 TEST(PatchPolygon, SquareHasItsKnownSpin) {
   EXPECT_NEAR(Patch::rectangle(2.0, 2.0).moment_ratio(), (std::sqrt(2.0) + std::asinh(1.0)) / 3.0, 1e-15);
 }
@@ -62,7 +63,8 @@ TEST(PatchPolygon, OfTwentyThousandVerticesKeepsItsStatedError) {
     const double r = 1.0 + 0.1 * std::sin(7 * angle);
     vertices.push_back({0.3 + r * std::cos(angle), r * std::sin(angle)});
   }
-  expect_polygon(vertices, {about({0, 0}), about({0.3, 0.2}), about({-0.9, 0.4}), about({2.0, 2.2}), about({5.0, -2.0})});
+  expect_polygon(vertices,
+                 {about({0, 0}), about({0.3, 0.2}), about({-0.9, 0.4}), about({2.0, 2.2}), about({5.0, -2.0})});
 }
 
 TEST(PatchPolygon, OfTenThousandVerticesIsTheDisc) {

@@ -29,7 +29,8 @@ struct Means {
   }
 };
 
-/// Tanh–sinh with fixed step on [0, 1]: `integrand(from_left, from_right)`. Exact to 1e-15 for singularities at the ends.
+/// Tanh–sinh with fixed step on [0, 1]: `integrand(from_left, from_right)`. Exact to 1e-15 for singularities at the
+/// ends.
 template <class Integrand>
 Means integrate(const Integrand& integrand) {
   struct Node {
@@ -43,7 +44,8 @@ Means integrate(const Integrand& integrand) {
     for (int k = -100; k <= 100; ++k) {
       const Wide u = pi * std::sinh(k * step);
       const Node node{1 / (1 + std::exp(-u)), 1 / (1 + std::exp(u)), step * pi * std::cosh(k * step)};
-      if (node.left * node.right * node.weight > 1e-26L) made.push_back({node.left, node.right, node.left * node.right * node.weight});
+      if (node.left * node.right * node.weight > 1e-26L)
+        made.push_back({node.left, node.right, node.left * node.right * node.weight});
     }
     return made;
   }();
@@ -56,7 +58,8 @@ PatchFriction from_means(const Means& means, const PatchTwist& twist, Wide cx, W
   const Wide sense = twist.omega > 0 ? 1 : -1;
   const Wide moment = means.distance + (cx - about_x) * means.x + (cy - about_y) * means.y;
   return {static_cast<double>(std::fabs(Wide(twist.omega)) * means.distance),
-          {static_cast<double>(-sense * means.y), static_cast<double>(sense * means.x), static_cast<double>(sense * moment)},
+          {static_cast<double>(-sense * means.y), static_cast<double>(sense * means.x),
+           static_cast<double>(sense * moment)},
           0.0};
 }
 
@@ -75,15 +78,16 @@ Means triangle(Wide x1, Wide y1, Wide x2, Wide y2) {
   // From the foot of the perpendicular outwards, so that a COR close to the edge is where the rule is dense.
   Means sum;
   for (const Wide reach : {-foot, 1 - foot}) {
-    const Means part = integrate([&](Wide u, Wide) { return at_place(x1 + (foot + u * reach) * dx, y1 + (foot + u * reach) * dy); });
+    const Means part =
+        integrate([&](Wide u, Wide) { return at_place(x1 + (foot + u * reach) * dx, y1 + (foot + u * reach) * dy); });
     sum.add(std::fabs(reach) * cross, part);
   }
   // y = s p with p on the edge: ∫ s² ds = 1/3 of |p|, ∫ s ds = 1/2 of p̂.
   return {sum.distance / 3, sum.x / 2, sum.y / 2};
 }
 
-/// The same over the signed triangle (0, p1, p2) seen from a COR far away at (cx, cy), by 20 × 20 Gauss points; and ⟨p·ŷ⟩ in `moment`, which for
-/// a far COR is a small difference of what `triangle` gives.
+/// The same over the signed triangle (0, p1, p2) seen from a COR far away at (cx, cy), by 20 × 20 Gauss points; and
+/// ⟨p·ŷ⟩ in `moment`, which for a far COR is a small difference of what `triangle` gives.
 Means far_triangle(Wide x1, Wide y1, Wide x2, Wide y2, Wide cx, Wide cy, Wide& moment) {
   using Rule = boost::math::quadrature::gauss<Wide, 20>;
   const auto place = [](std::size_t n) { return (1 + (n < 10 ? Rule::abscissa()[n] : -Rule::abscissa()[n - 10])) / 2; };
@@ -104,7 +108,8 @@ Means far_triangle(Wide x1, Wide y1, Wide x2, Wide y2, Wide cx, Wide cy, Wide& m
 
 }  // namespace
 
-PatchFriction points_by_sum(std::span<const PatchLoad> loads, const PatchTwist& twist, PatchPoint about, double mx, double my) {
+PatchFriction points_by_sum(std::span<const PatchLoad> loads, const PatchTwist& twist, PatchPoint about, double mx,
+                            double my) {
   Wide total = 0;
   for (const PatchLoad& point : loads) total += point.load;
   Wide power = 0;
@@ -125,14 +130,16 @@ PatchFriction points_by_sum(std::span<const PatchLoad> loads, const PatchTwist& 
     fy += share * my * uy / speed;
     moment += share * (x * my * uy - y * mx * ux) / speed;
   }
-  return {static_cast<double>(power), {static_cast<double>(fx), static_cast<double>(fy), static_cast<double>(moment)}, 0.0};
+  return {
+      static_cast<double>(power), {static_cast<double>(fx), static_cast<double>(fy), static_cast<double>(moment)}, 0.0};
 }
 
 PatchFriction polygon_by_triangles(std::span<const PatchPoint> vertices, const PatchTwist& twist, PatchPoint about) {
   const Wide cx = -Wide(twist.vy) / twist.omega;
   const Wide cy = Wide(twist.vx) / twist.omega;
   Wide reach = 0;
-  for (const PatchPoint& vertex : vertices) reach = std::max(reach, std::hypot(Wide(vertex.x) - about.x, Wide(vertex.y) - about.y));
+  for (const PatchPoint& vertex : vertices)
+    reach = std::max(reach, std::hypot(Wide(vertex.x) - about.x, Wide(vertex.y) - about.y));
   const bool far = std::hypot(cx, cy) > 8 * reach;
   Means sum;
   Wide moment = 0;
@@ -209,7 +216,8 @@ PatchFriction ellipse_by_rays(const PressureLaw& law, double a, double b, const 
     }
     return sum;
   };
-  // All rays: of a COR outside those that meet the disc; cut where they turn fast, at the axes, and where they touch a break.
+  // All rays: of a COR outside those that meet the disc; cut where they turn fast, at the axes, and where they touch a
+  // break.
   std::vector<Wide> cuts;
   const Wide reach = tau > outer ? std::atan2(outer, std::sqrt((tau - outer) * (tau + outer))) : pi;
   for (const Wide angle : {-reach, Wide(0), reach}) cuts.push_back(angle);
@@ -242,7 +250,8 @@ PatchFriction ellipse_by_rays(const PressureLaw& law, double a, double b, const 
   return from_means(sum, twist, cx, cy, 0, 0);
 }
 
-PatchFriction image_by_squares(std::span<const double> pressures, std::size_t columns, double pixel, const PatchTwist& twist) {
+PatchFriction image_by_squares(std::span<const double> pressures, std::size_t columns, double pixel,
+                               const PatchTwist& twist) {
   Wide total = 0;
   Wide mean_x = 0;
   Wide mean_y = 0;
@@ -268,7 +277,8 @@ PatchFriction image_by_squares(std::span<const double> pressures, std::size_t co
       const std::array<std::array<Wide, 2>, 4> corners{
           {{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}}};
       for (std::size_t k = 0; k < 4; ++k) {
-        part.add(1 / (4 * half * half), triangle(corners[k][0], corners[k][1], corners[(k + 1) % 4][0], corners[(k + 1) % 4][1]));
+        part.add(1 / (4 * half * half),
+                 triangle(corners[k][0], corners[k][1], corners[(k + 1) % 4][0], corners[(k + 1) % 4][1]));
       }
     } else {
       for (std::size_t j = 0; j < 6; ++j) {
@@ -285,7 +295,8 @@ PatchFriction image_by_squares(std::span<const double> pressures, std::size_t co
 }
 
 double difference(const PatchFriction& one, const PatchFriction& other, double moment_ratio) {
-  return std::max({std::fabs(one.power / other.power - 1.0), std::hypot(one.wrench.fx - other.wrench.fx, one.wrench.fy - other.wrench.fy),
+  return std::max({std::fabs(one.power / other.power - 1.0),
+                   std::hypot(one.wrench.fx - other.wrench.fx, one.wrench.fy - other.wrench.fy),
                    std::fabs(one.wrench.moment - other.wrench.moment) / moment_ratio});
 }
 

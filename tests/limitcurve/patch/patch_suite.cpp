@@ -57,7 +57,8 @@ std::vector<PatchTwist> random_twists(const Patch& patch, std::size_t count) {
   std::normal_distribution<double> normal;
   std::vector<PatchTwist> made;
   for (std::size_t i = 0; i < count; ++i) {
-    made.push_back({normal(bits) * patch.moment_ratio(), normal(bits) * patch.moment_ratio(), normal(bits) * std::pow(10.0, normal(bits))});
+    made.push_back({normal(bits) * patch.moment_ratio(), normal(bits) * patch.moment_ratio(),
+                    normal(bits) * std::pow(10.0, normal(bits))});
   }
   return made;
 }
@@ -139,14 +140,16 @@ TEST_P(EveryPatch, GaugeOfAWrenchThatSlipsIsOne) {
   for (const PatchTwist& twist : random_twists(patch, 200)) {
     const PatchWrench wrench = patch.wrench(twist);
     for (const double factor : {1.0, -0.25, 1e-200, 1e150}) {
-      EXPECT_NEAR(patch.gauge({factor * wrench.fx, factor * wrench.fy, factor * wrench.moment}) / std::fabs(factor), 1.0, 1e-12 + bound)
+      EXPECT_NEAR(patch.gauge({factor * wrench.fx, factor * wrench.fy, factor * wrench.moment}) / std::fabs(factor),
+                  1.0, 1e-12 + bound)
           << name;
     }
     // The load of a wrench about the origin: mu P times what slips.
     const double mu = 0.4;
     const double load = 3.0;
     const double moment = wrench.moment + centre.x * wrench.fy - centre.y * wrench.fx;
-    EXPECT_NEAR(load_to_hold(patch, mu, {mu * load * wrench.fx, mu * load * wrench.fy, mu * load * moment}), load, (1e-11 + bound) * load)
+    EXPECT_NEAR(load_to_hold(patch, mu, {mu * load * wrench.fx, mu * load * wrench.fy, mu * load * moment}), load,
+                (1e-11 + bound) * load)
         << name;
   }
   EXPECT_EQ(patch.gauge({0.0, 0.0, 0.0}), 0.0);
@@ -169,7 +172,8 @@ TEST_P(EveryPatch, SlipIsTheTwistThatNeedsTheWrench) {
       EXPECT_NEAR(dot(slip, wrench), 1.0, 1e-12) << name;
       const double scale = factor * needed.power;
       const PatchTwist apart{slip.vx * scale - twist.vx, slip.vy * scale - twist.vy, slip.omega * scale - twist.omega};
-      EXPECT_LE(size(patch, apart), std::max(1e-8, 10.0 * bound) * size(patch, twist)) << name << ' ' << twist.vx << ' ' << twist.omega;
+      EXPECT_LE(size(patch, apart), std::max(1e-8, 10.0 * bound) * size(patch, twist))
+          << name << ' ' << twist.vx << ' ' << twist.omega;
       const PatchWrench again = patch.about_origin(slip).wrench;
       EXPECT_LE(std::hypot(again.fx - wrench.fx / gauge, again.fy - wrench.fy / gauge), error) << name;
       EXPECT_LE(std::fabs(again.moment - wrench.moment / gauge), error * patch.moment_ratio()) << name;
@@ -191,8 +195,8 @@ TEST_P(EveryPatch, NothingIsUndefined) {
     for (const double omega : {0.0, 5e-324, 1e-300, 1e-12, 1.0, 1e18, 1e300}) {
       for (const double side : {-1.0, 0.0, 0.3}) {
         const PatchFriction friction = patch.about_origin({v, side * v, omega});
-        EXPECT_TRUE(std::isfinite(friction.power) && std::isfinite(friction.wrench.fx) && std::isfinite(friction.wrench.fy) &&
-                    std::isfinite(friction.wrench.moment) && friction.error >= 0.0)
+        EXPECT_TRUE(std::isfinite(friction.power) && std::isfinite(friction.wrench.fx) &&
+                    std::isfinite(friction.wrench.fy) && std::isfinite(friction.wrench.moment) && friction.error >= 0.0)
             << name << ' ' << v << ' ' << omega;
       }
     }
@@ -245,8 +249,8 @@ TEST(PatchSymmetry, TurnedAndMirroredPatchesHaveTurnedAndMirroredWrenches) {
 TEST(PatchOrigin, TwistsOfTheOriginGiveTheSameForces) {
   const auto made = [](double x, double y) {
     const std::vector<PatchLoad> loads{{x - 0.04, y - 0.04, 1}, {x + 0.04, y - 0.02, 2}, {x - 0.04, y + 0.08, 1}};
-    const std::vector<PatchPoint> corners{{x, y},       {x + 0.04, y}, {x + 0.04, y + 0.01}, {x + 0.01, y + 0.01}, {x + 0.01, y + 0.03},
-                                          {x, y + 0.03}};
+    const std::vector<PatchPoint> corners{
+        {x, y}, {x + 0.04, y}, {x + 0.04, y + 0.01}, {x + 0.01, y + 0.01}, {x + 0.01, y + 0.03}, {x, y + 0.03}};
     return std::vector{Patch::points(loads), Patch::points(loads).smoothed(1e-3), Patch::polygon(corners),
                        Patch::polygon(corners).orthotropic(0.5, 1.5)};
   };
@@ -258,12 +262,15 @@ TEST(PatchOrigin, TwistsOfTheOriginGiveTheSameForces) {
     EXPECT_NEAR(c.y, near[i].centre().y - 2.0, 1e-14);
     for (const PatchTwist& twist : random_twists(near[i], 50)) {
       const PatchFriction here = near[i].evaluate(twist);
-      const PatchFriction there = away[i].about_origin({twist.vx + twist.omega * c.y, twist.vy - twist.omega * c.x, twist.omega});
+      const PatchFriction there =
+          away[i].about_origin({twist.vx + twist.omega * c.y, twist.vy - twist.omega * c.x, twist.omega});
       // The twist of a point 3 m away has itself lost digits.
       const double lost = 1e-13 + 4e-15 * std::fabs(twist.omega) / here.power * (1.0 + 3.6 / near[i].moment_ratio());
       EXPECT_NEAR(there.power / here.power, 1.0, lost) << i;
       const double arm = 1e-11 * (3.6 + near[i].moment_ratio());
-      EXPECT_NEAR(there.wrench.moment, here.wrench.moment + c.x * here.wrench.fy - c.y * here.wrench.fx, arm + 3.6 * lost) << i;
+      EXPECT_NEAR(there.wrench.moment, here.wrench.moment + c.x * here.wrench.fy - c.y * here.wrench.fx,
+                  arm + 3.6 * lost)
+          << i;
     }
   }
 }

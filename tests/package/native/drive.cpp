@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What fingers, a batch, a scene and curves give, on one path. `drive write FILE` writes it; `drive compare FILE`, compiled for the processor
-// (-march=native), compares: what the library gives is the same to the last bit, what this file makes of the library's templates to 1e-12.
+// What fingers, a batch, a scene and curves give, on one path. `drive write FILE` writes it; `drive compare FILE`,
+// compiled for the processor
+// (-march=native), compares: what the library gives is the same to the last bit, what this file makes of the library's
+// templates to 1e-12.
 #include "godobject/batch/batch.hpp"
 #include "godobject/body/grasp.hpp"
 #include "godobject/friction.hpp"
@@ -30,26 +32,33 @@ void keep(const char* origin, std::initializer_list<double> values, double toler
   for (const double value : values) numbers_so_far.push_back({origin, value, tolerance});
 }
 
-// Here and below inputs are multiples of powers of 2, or products: a multiplication fused with an addition gives the same.
+// Here and below inputs are multiples of powers of 2, or products: a multiplication fused with an addition gives the
+// same.
 constexpr double tick = 0x1p-10;  // [s]
 
 void drive_fingers(const FingerCurve& curve) {
-  const FingerParameters skin{
-      .mu = 0.6, .radius_law = RadiusLaw::power(0.00207, 0.259), .stiffness = 1000.0, .twist_stiffness = 0.002, .damping = 1.0};
+  const FingerParameters skin{.mu = 0.6,
+                              .radius_law = RadiusLaw::power(0.00207, 0.259),
+                              .stiffness = 1000.0,
+                              .twist_stiffness = 0.002,
+                              .damping = 1.0};
   const AnySurface ball(SphereSurface(0.05));
   for (const Projection projection : {Projection::radial, Projection::c_curve, Projection::closest_point}) {
     SoftFinger finger(curve, skin, projection);
     for (int step = 0; step < 500; ++step) {
       const double time = tick * step;
       const Eigen::Quaterniond turn(std::cos(time), 0.0, 0.0, std::sin(time));
-      const FingerOutput felt = finger.update(ball, {{0.048 * std::sin(time), 0.0, 0.048 * std::cos(time)}, turn}, tick);
-      keep("finger", {felt.force.x(), felt.force.y(), felt.force.z(), felt.moment, felt.load, finger.margin(), finger.load_to_hold()});
+      const FingerOutput felt =
+          finger.update(ball, {{0.048 * std::sin(time), 0.0, 0.048 * std::cos(time)}, turn}, tick);
+      keep("finger", {felt.force.x(), felt.force.y(), felt.force.z(), felt.moment, felt.load, finger.margin(),
+                      finger.load_to_hold()});
     }
   }
 }
 
 void step_batch(const Table& table) {
-  const Batch batch(table, {.mu = 0.6, .radius_law = RadiusLaw::constant(0.005), .stiffness = 1000.0, .twist_stiffness = 0.002});
+  const Batch batch(
+      table, {.mu = 0.6, .radius_law = RadiusLaw::constant(0.005), .stiffness = 1000.0, .twist_stiffness = 0.002});
   ContactArrays arrays(5);  // packs, and a rest
   const auto contacts = arrays.batch();
   for (int step = 0; step < 200; ++step) {
@@ -67,7 +76,11 @@ void step_batch(const Table& table) {
 void replay_scene() {
   ReplayOptions options;
   options.law = hertz();
-  options.finger = {.mu = 0.6, .radius_law = RadiusLaw::constant(0.005), .stiffness = 1000.0, .twist_stiffness = 0.002, .damping = 1.0};
+  options.finger = {.mu = 0.6,
+                    .radius_law = RadiusLaw::constant(0.005),
+                    .stiffness = 1000.0,
+                    .twist_stiffness = 0.002,
+                    .damping = 1.0};
   options.surface = AnySurface(BoxSurface({0.02, 0.02, 0.02}));
   options.fingers = 2;
   options.motion = BodyMotion::free;
@@ -76,7 +89,8 @@ void replay_scene() {
   for (int step = 0; step < 200; ++step) {
     const double time = tick * step;
     const Eigen::Quaterniond turn(std::cos(time), std::sin(time), 0.0, 0.0);
-    replay.step(time, std::vector<DevicePose>{{{0.019, 0x1p-17 * step, 0.0}, turn}, {{-0.019, 0x1p-16 * step, 0x1p-10}, turn}});
+    replay.step(
+        time, std::vector<DevicePose>{{{0.019, 0x1p-17 * step, 0.0}, turn}, {{-0.019, 0x1p-16 * step, 0x1p-10}, turn}});
     for (const SceneContact& contact : replay.contacts())
       keep("scene", {contact.force.x(), contact.force.y(), contact.moment, contact.load});
     keep("body", {replay.body().position.z(), replay.body().orientation.x(), replay.body().angular_velocity.x()});
@@ -93,7 +107,8 @@ void use_curve(const FingerCurve& curve) {
     double gauge = 0.0;
     const CurvePoint<double> on_ray = point_on_ray(curve.view(), direction.force, direction.moment, 0.0, gauge);
     const FrictionResult<double> rubbed =
-        apply_friction(curve.view(), Projection::closest_point, {{1.0, 0.005}, {1.0, 0.005}, 25000.0}, {2.0 - part, 0.01 * part}, memory);
+        apply_friction(curve.view(), Projection::closest_point, {{1.0, 0.005}, {1.0, 0.005}, 25000.0},
+                       {2.0 - part, 0.01 * part}, memory);
     keep("template",
          {gauge, on_ray.force, on_ray.moment, rubbed.force_fraction, rubbed.moment_fraction,
           load_to_hold(curve, {.mu = 0.6, .radius_law = RadiusLaw::power(0.00207, 0.259)}, part, 0.001)},
@@ -113,11 +128,13 @@ void use_table(const BasicTable<Real>& table, const Ellipse& ellipse) {
   table.gauge(wrenches, gauges);
   for (std::size_t i = 0; i < twists.size(); ++i) {
     const auto [point, normal] = table.along(wrenches[i]);
-    keep("table", {wrenches[i].force, wrenches[i].moment, gauges[i], point.force, point.moment, normal.slide, normal.spin});
+    keep("table",
+         {wrenches[i].force, wrenches[i].moment, gauges[i], point.force, point.moment, normal.slide, normal.spin});
     const UnitWrench single = table.wrench(twists[i]);
     const UnitWrench of_ellipse = ellipse.wrench(twists[i]);
     keep("inlined",
-         {single.force, single.moment, table.point(twists[i]).wrench.moment, table.gauge(wrenches[i]), of_ellipse.force, of_ellipse.moment},
+         {single.force, single.moment, table.point(twists[i]).wrench.moment, table.gauge(wrenches[i]), of_ellipse.force,
+          of_ellipse.moment},
          inlined);
   }
 }
@@ -136,7 +153,8 @@ int compare(std::FILE* file) {
     double expected = 0.0;
     if (std::fscanf(file, "%la", &expected) != 1) return 1;
     const bool is_same = number.value == expected || (std::isnan(number.value) && std::isnan(expected));
-    if (is_same || std::fabs(number.value - expected) < number.tolerance * std::fmax(1.0, std::fabs(expected))) continue;
+    if (is_same || std::fabs(number.value - expected) < number.tolerance * std::fmax(1.0, std::fabs(expected)))
+      continue;
     if (++differ <= 10) std::printf("%s: %a, expected %a\n", number.origin, number.value, expected);
   }
   std::printf("%d of %zu numbers differ\n", differ, numbers_so_far.size());

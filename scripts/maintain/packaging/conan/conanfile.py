@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Conan's recipe: `conan create scripts/maintain/packaging/conan`. With -o "&:system=True" Boost and Eigen are those that CMake finds."""
+"""Conan's recipe: `conan create scripts/maintain/packaging/conan`. With -o "&:system=True" Boost and Eigen are those
+that CMake finds."""
 import os
 import re
 
@@ -23,7 +24,8 @@ class Limitcurve(ConanFile):
         self.version = re.search(r'version = "([0-9.]+)"', text)[1]
 
     def export_sources(self):
-        for name in ("CMakeLists.txt", "LICENSE", "package.xml", "limitcurve/*", "godobject/*", "fit/*", "c/*", "cmake/*", "data/engines/*"):
+        for name in ("CMakeLists.txt", "LICENSE", "package.xml", "limitcurve/*", "godobject/*", "fit/*", "c/*",
+                     "cmake/*", "data/engines/*"):
             copy(self, name, os.path.join(self.recipe_folder, ROOT), self.export_sources_folder)
 
     def requirements(self):

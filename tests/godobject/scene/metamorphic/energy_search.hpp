@@ -23,9 +23,10 @@ struct Won {
   [[nodiscard]] double beyond_rounding() const { return work - rounding; }
 };
 
-/// Counts the work that a finger without dampers does on its user, who leads the device slowly from sample to sample: the springs' force and
-/// moment, integrated along the path while the proxy rests; then the proxy may slip. Work is force times displacement from the
-/// rendered wrench, k_l, k_r and the positions of proxy and finger; the library's energies are not used.
+/// Counts the work that a finger without dampers does on its user, who leads the device slowly from sample to sample:
+/// the springs' force and moment, integrated along the path while the proxy rests; then the proxy may slip. Work is
+/// force times displacement from the rendered wrench, k_l, k_r and the positions of proxy and finger; the library's
+/// energies are not used.
 class SlowUser {
  public:
   explicit SlowUser(SoftFinger finger) : finger_(std::move(finger)) {}
@@ -63,7 +64,8 @@ class SlowUser {
     if (!finger_.state().in_contact) return 0.0;
     const FingerOutput now = finger_.output();
     const FingerParameters& with = finger_.parameters();
-    return 0.5 * with.stiffness * (now.proxy - last_).squaredNorm() + 0.5 * now.moment * now.moment / with.twist_stiffness;
+    return 0.5 * with.stiffness * (now.proxy - last_).squaredNorm() +
+           0.5 * now.moment * now.moment / with.twist_stiffness;
   }
   [[nodiscard]] const SoftFinger& finger() const { return finger_; }
 
@@ -79,12 +81,16 @@ class SlowUser {
   Won won_;
 };
 
-/// Counts what a device whose finger's wrench is sampled, comes `delay` samples late and is held for a time step does on its user, who leads it
-/// in a straight line, turning evenly, from sample to sample; less what the device's own damper takes, which is least then.
+/// Counts what a device whose finger's wrench is sampled, comes `delay` samples late and is held for a time step does
+/// on its user, who leads it in a straight line, turning evenly, from sample to sample; less what the device's own
+/// damper takes, which is least then.
 class SampledUser {
  public:
   SampledUser(SoftFinger finger, DeviceDamping device, double time_step, int delay)
-      : finger_(std::move(finger)), device_(device), time_step_(time_step), rendered_(static_cast<std::size_t>(delay) + 1) {}
+      : finger_(std::move(finger)),
+        device_(device),
+        time_step_(time_step),
+        rendered_(static_cast<std::size_t>(delay) + 1) {}
 
   void move(const AnySurface& surface, const DevicePose& to) {
     const FingerOutput held = rendered_.front();
@@ -99,8 +105,9 @@ class SampledUser {
       if (touches) {
         const Eigen::Vector3d force = held.whole_force();
         won_.work += force.dot(way) + held.moment * (held.normal.dot(turn) + twist);
-        won_.rounding += 16.0 * std::numeric_limits<double>::epsilon() *
-                         (force.norm() * (0.1 + to.position.norm()) + std::fabs(held.moment) * (1.0 + std::fabs(now.angle)));
+        won_.rounding +=
+            16.0 * std::numeric_limits<double>::epsilon() *
+            (force.norm() * (0.1 + to.position.norm()) + std::fabs(held.moment) * (1.0 + std::fabs(now.angle)));
         // The spin is counted about the mean of two normals, the held moment acts about the first of them.
         turning_normal_ += 0.5 * std::fabs(held.moment) * (now.normal - held.normal).norm() * turn.norm();
       }
@@ -129,7 +136,8 @@ class SampledUser {
   double turning_normal_ = 0.0;
 };
 
-/// Range of a device's motion about a point of a surface: largest depth [m], sideways displacement [m] and rotation [rad].
+/// Range of a device's motion about a point of a surface: largest depth [m], sideways displacement [m] and rotation
+/// [rad].
 struct Reach {
   Eigen::Vector3d place;
   Eigen::Vector3d normal;
@@ -143,8 +151,8 @@ struct Reach {
 inline DevicePose random_pose(const Reach& reach, Random& random, bool outside = false) {
   const Eigen::Vector3d tangent = reach.normal.unitOrthogonal();
   const double depth = outside ? -0.001 : random.uniform(0.0, reach.depth);
-  const Eigen::Vector3d aside =
-      tangent * random.uniform(-reach.aside, reach.aside) + reach.normal.cross(tangent) * random.uniform(-reach.aside, reach.aside);
+  const Eigen::Vector3d aside = tangent * random.uniform(-reach.aside, reach.aside) +
+                                reach.normal.cross(tangent) * random.uniform(-reach.aside, reach.aside);
   const Eigen::Quaterniond turned(Eigen::AngleAxisd(random.uniform(0.0, reach.turn), random_direction(random)));
   return {reach.place - reach.normal * depth + (outside ? Eigen::Vector3d::Zero() : aside), turned,
           random.uniform(-reach.twist, reach.twist)};
@@ -167,7 +175,9 @@ inline Path changed(const Path& path, const Reach& reach, double share, Random& 
       mix(result[static_cast<std::size_t>(random.uniform(0.0, 0.999) * static_cast<double>(path.size()))]);
   }
   if (random.uniform(0.0, 1.0) < 0.1) {  // one pose as another
-    const auto any = [&] { return static_cast<std::size_t>(random.uniform(0.0, 0.999) * static_cast<double>(path.size())); };
+    const auto any = [&] {
+      return static_cast<std::size_t>(random.uniform(0.0, 0.999) * static_cast<double>(path.size()));
+    };
     result[any()] = result[any()];
   }
   return result;

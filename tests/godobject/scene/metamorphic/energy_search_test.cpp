@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // No path of a device wins energy from a finger: random paths on every surface, climbing towards the one that wins
-// most. Slowly led, a finger gives back what it stored at most; sampled and held, what `device_damping_needed` names is enough.
+// most. Slowly led, a finger gives back what it stored at most; sampled and held, what `device_damping_needed` names is
+// enough.
 #include "tests/godobject/scene/metamorphic/energy_search.hpp"
 
 #include "tests/repetitions.hpp"
@@ -20,9 +21,12 @@ Reach reach_on(const AnySurface& surface, Random& random) {
   Vector3d from = 0.2 * random_direction(random);
   from.z() = std::fabs(from.z());
   const Contact contact = surface.contact(from, {});
-  return {
-      contact.point,           contact.normal, random.logarithmic(1e-4, 0.008), random.logarithmic(1e-4, 0.006), random.uniform(0.0, 1.0),
-      random.uniform(0.0, 1.0)};
+  return {contact.point,
+          contact.normal,
+          random.logarithmic(1e-4, 0.008),
+          random.logarithmic(1e-4, 0.006),
+          random.uniform(0.0, 1.0),
+          random.uniform(0.0, 1.0)};
 }
 
 Path random_path(const Reach& reach, Random& random) {
@@ -40,8 +44,8 @@ bool prepare(FingerParameters& finger, Random& random) {
   return true;
 }
 
-// From outside into the surface and thrice round a loop, and out again: at no time has the user more than was put in. What is climbed for is
-// what the last round wins.
+// From outside into the surface and thrice round a loop, and out again: at no time has the user more than was put in.
+// What is climbed for is what the last round wins.
 TEST(EnergySearch, NoLoopWinsEnergy) {
   double best = -1.0;
   int slips = 0;
@@ -83,8 +87,8 @@ TEST(EnergySearch, NoLoopWinsEnergy) {
   EXPECT_GT(sticks, repetitions(10000));
 }
 
-// A slip loses energy, and what is said to be dissipated is not more than that; on every surface, also where a finger leaps across it. What is
-// climbed for is the least loss.
+// A slip loses energy, and what is said to be dissipated is not more than that; on every surface, also where a finger
+// leaps across it. What is climbed for is the least loss.
 TEST(EnergySearch, EverySlipLosesWhatItSays) {
   int slips = 0;
   for_each_choice(22, [&](const Choice& choice, Random& random) {
@@ -122,8 +126,8 @@ TEST(EnergySearch, EverySlipLosesWhatItSays) {
   EXPECT_GT(slips, repetitions(10000));
 }
 
-/// Steps over a sphere of 10 mm so slowly that a step is a small part of what slides; returns what a user put in, less what is stored, by what is
-/// said to be dissipated.
+/// Steps over a sphere of 10 mm so slowly that a step is a small part of what slides; returns what a user put in, less
+/// what is stored, by what is said to be dissipated.
 double put_in_by_dissipated(const AnySurface& surface, double depth, int steps) {
   SlowUser user(hertz_finger(parameters(0.6, 0.006, 1000.0, 0.036)));
   double dissipated = 0.0;
@@ -135,8 +139,8 @@ double put_in_by_dissipated(const AnySurface& surface, double depth, int steps) 
   return -(user.won().work + user.stored()) / dissipated;
 }
 
-// Friction acts at the proxy, a depth farther from the middle of a sphere than the finger is, but not along the same direction: what is dissipated is
-// what the user puts in, to the first order in the time step.
+// Friction acts at the proxy, a depth farther from the middle of a sphere than the finger is, but not along the same
+// direction: what is dissipated is what the user puts in, to the first order in the time step.
 TEST(EnergySearch, OnASphereTheUserPutsInWhatIsDissipated) {
   const AnySurface sphere(SphereSurface(0.01));
   for (const double depth : {0.0005, 0.002, 0.004}) {
@@ -147,8 +151,9 @@ TEST(EnergySearch, OnASphereTheUserPutsInWhatIsDissipated) {
   }
 }
 
-// Sampled, late by up to two samples and held, with a device damped as `device_damping_needed` says: no path wins, on any surface, of
-// translation and of twist about the normal. A device that turns while its finger's normal turns too wins by the held moment at most ½ |M| |Δn| |Δθ| in a step.
+// Sampled, late by up to two samples and held, with a device damped as `device_damping_needed` says: no path wins, on
+// any surface, of translation and of twist about the normal. A device that turns while its finger's normal turns too
+// wins by the held moment at most ½ |M| |Δn| |Δθ| in a step.
 TEST(EnergySearch, TheDampingThatIsNamedIsEnough) {
   double best = -1.0;
   for_each_choice(23, [&](const Choice& choice, Random& random) {

@@ -10,8 +10,8 @@
 #include <functional>
 #include <limits>
 
-/// Replays of two fingers in random scenes that must give the same output: on every surface, with every curve, projection and set of
-/// parameters.
+/// Replays of two fingers in random scenes that must give the same output: on every surface, with every curve,
+/// projection and set of parameters.
 namespace limitcurve::godobject::test::metamorphic {
 
 using Eigen::Quaterniond;
@@ -63,7 +63,8 @@ inline ReplayOptions options_of(const Choice& choice) {
 }
 
 /// Calls `body(scene, felt, random)` for every choice, with two fingers that move at random on a body at rest.
-inline void for_each_scene(std::uint64_t seed, const std::function<void(const Scene&, const std::vector<Felt>&, Random&)>& body) {
+inline void for_each_scene(std::uint64_t seed,
+                           const std::function<void(const Scene&, const std::vector<Felt>&, Random&)>& body) {
   int slips = 0;
   int sticks = 0;
   for_each_choice(seed, [&](const Choice& choice, Random& random) {
@@ -96,10 +97,11 @@ struct Map {
   double turned = 0.0;  // what α_p is shifted by [rad]
 };
 
-/// That `one`, mapped, is `other` within a tolerance. The centre of rotation is the direction of a slip, whose error is that of the places by the
-/// length of the slip [m]; a slip not longer than the tolerance is one in one scene and none in the other.
-inline void expect_alike(const Scene& scene, const SceneContact& one, double slip, const SceneContact& other, const Map& map,
-                         const Tolerance& within) {
+/// That `one`, mapped, is `other` within a tolerance. The centre of rotation is the direction of a slip, whose error is
+/// that of the places by the length of the slip [m]; a slip not longer than the tolerance is one in one scene and none
+/// in the other.
+inline void expect_alike(const Scene& scene, const SceneContact& one, double slip, const SceneContact& other,
+                         const Map& map, const Tolerance& within) {
   const double least = 10.0 * (within.length + rim * within.angle);
   const bool touch = one.load > 0.0 && other.load > 0.0;
   if (!(touch && slip <= least)) {
@@ -114,7 +116,8 @@ inline void expect_alike(const Scene& scene, const SceneContact& one, double sli
   ASSERT_NEAR(map.sense * one.moment, other.moment, within.moment);
   ASSERT_LE((map.vector(one.normal) - other.normal).norm(), within.length / least_curvature);
   // Force times displacement in every row, and the force is at most μP.
-  ASSERT_NEAR(one.dissipated, other.dissipated, rows * (10.0 * within.length + 0.1 * within.angle + 0.01 * within.force));
+  ASSERT_NEAR(one.dissipated, other.dissipated,
+              rows * (10.0 * within.length + 0.1 * within.angle + 0.01 * within.force));
   if (one.state == ContactState::slip && slip > 10.0 * least) {
     const auto direction = [](double cor) { return std::atan2(rim, cor); };
     ASSERT_NEAR(direction(one.cor), direction(other.cor), least / slip) << one.cor << ' ' << other.cor;
@@ -147,8 +150,8 @@ inline void expect_alike_by_rows(const Scene& scene, const std::vector<Felt>& on
   }
 }
 
-inline void expect_alike(const Scene& scene, const std::vector<Felt>& one, const std::vector<Felt>& other, const Map& map,
-                         const Tolerance& within) {
+inline void expect_alike(const Scene& scene, const std::vector<Felt>& one, const std::vector<Felt>& other,
+                         const Map& map, const Tolerance& within) {
   expect_alike_by_rows(
       scene, one, other, [&](std::size_t) { return map; }, within);
 }
@@ -193,8 +196,8 @@ inline Row moved(const Row& row, const BodyPose& by) {
   return result;
 }
 
-// A position within 0.3 m is right to its ulp, some 5e-17 m, after each of the products that turn it and turn it back; an angle
-// likewise to 2e-16 rad.
+// A position within 0.3 m is right to its ulp, some 5e-17 m, after each of the products that turn it and turn it back;
+// an angle likewise to 2e-16 rad.
 inline Tolerance rounding(const Scene& scene, double size = 0.3) {
   return Tolerance::of(scene.finger, time_step, ulp * size, 4.0 * ulp, rows);
 }

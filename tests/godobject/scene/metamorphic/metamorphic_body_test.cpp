@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a free body between fingers must do alike: turned, carried a kilometre away, delayed, held by two equal fingers for one
-// that is twice as stiff, and with a row that is refused.
+// What a free body between fingers must do alike: turned, carried a kilometre away, delayed, held by two equal fingers
+// for one that is twice as stiff, and with a row that is refused.
 #include "tests/godobject/scene/metamorphic/metamorphic.hpp"
 
 #include "godobject/body/grasp.hpp"
@@ -35,8 +35,12 @@ void for_each_body(std::uint64_t seed, Body&& test) {
     if (choice.surface.name == "plane") return;  // a half space is no body
     BodyParameters body = BodyParameters::block(0.1, {0.04, 0.03, 0.05});
     body.gravity = 3.0 * random_direction(random);
-    BodyScene scene{
-        choice.parameters.finger, make_finger_curve(choice.curve.kind, hertz(), 1e-8), choice.curve.projection, choice.surface, body, {}};
+    BodyScene scene{choice.parameters.finger,
+                    make_finger_curve(choice.curve.kind, hertz(), 1e-8),
+                    choice.curve.projection,
+                    choice.surface,
+                    body,
+                    {}};
     std::vector<RandomDevice> devices;
     for (int i = 0; i < 3; ++i) devices.emplace_back(choice.surface.surface, random);
     for (int i = 0; i < steps; ++i) {
@@ -47,7 +51,8 @@ void for_each_body(std::uint64_t seed, Body&& test) {
   });
 }
 
-/// A step counts as solved to 1e-9 of the velocities, some 0.1 m/s: so far are places off in each, in all, and ten times that for what it leads to.
+/// A step counts as solved to 1e-9 of the velocities, some 0.1 m/s: so far are places off in each, in all, and ten
+/// times that for what it leads to.
 constexpr double solved = 10.0 * steps * Grasp::solved_fraction * 0.1 * time_step;
 
 void expect_alike(const Grasp& one, const Grasp& other, const BodyPose& by, double length) {
@@ -95,7 +100,8 @@ TEST(Metamorphic, AFreeBodyTurnedAndAKilometreAwayDoesTheSame) {
   EXPECT_GT(compared, 5000);
 }
 
-// Two fingers at one point equal one finger with twice the stiffness, damping and load, if the radius does not depend on the load.
+// Two fingers at one point equal one finger with twice the stiffness, damping and load, if the radius does not depend
+// on the load.
 TEST(Metamorphic, TwoEqualFingersOnAFreeBodyAreOneTwiceAsStiff) {
   int compared = 0;
   for_each_body(42, [&](const BodyScene& scene, Random&) {
@@ -109,7 +115,8 @@ TEST(Metamorphic, TwoEqualFingersOnAFreeBodyAreOneTwiceAsStiff) {
       if (one.unsolved() > 0 || two.unsolved() > 0) break;
       SCOPED_TRACE("step " + std::to_string(i));
       ASSERT_LE((one.body().position - two.body().position).norm(), solved);
-      ASSERT_LE((two.force_on_user(0) + two.force_on_user(1) - one.force_on_user(0)).norm(), 20.0 * (1000.0 + 2.0 / time_step) * solved);
+      ASSERT_LE((two.force_on_user(0) + two.force_on_user(1) - one.force_on_user(0)).norm(),
+                20.0 * (1000.0 + 2.0 / time_step) * solved);
       ASSERT_EQ(two.force_on_user(0), two.force_on_user(1));
       ++compared;
     }
@@ -117,7 +124,8 @@ TEST(Metamorphic, TwoEqualFingersOnAFreeBodyAreOneTwiceAsStiff) {
   EXPECT_GT(compared, 3000);
 }
 
-// Times that are over move nothing, and a later beginning changes nothing: every number stays, unless dampers miss a velocity.
+// Times that are over move nothing, and a later beginning changes nothing: every number stays, unless dampers miss a
+// velocity.
 TEST(Metamorphic, AFreeBodyLaterOrWithARefusedRowDoesTheSame) {
   for_each_choice(43, [](const Choice& choice, Random& random) {
     if (choice.surface.name == "plane") return;
@@ -128,7 +136,8 @@ TEST(Metamorphic, AFreeBodyLaterOrWithARefusedRowDoesTheSame) {
     Replay plain = start;
     Replay later = start;
     Replay refusing = start;
-    const std::array devices{RandomDevice(choice.surface.surface, random), RandomDevice(choice.surface.surface, random)};
+    const std::array devices{RandomDevice(choice.surface.surface, random),
+                             RandomDevice(choice.surface.surface, random)};
     const int refused = static_cast<int>(random.uniform(0.0, 80.0));
     for (int i = 0; i < 80; ++i) {
       const double time = i * time_step;

@@ -35,8 +35,8 @@ void move(double& value) {
   value = value > 0.0 ? value * (1.0 - little) : little;
 }
 
-/// Moment over load. Where it is almost 0 the radial projections keep the ratio of force and moment, however large, and so no force either:
-/// their own limit there is not that of a contact without torsion.
+/// Moment over load. Where it is almost 0 the radial projections keep the ratio of force and moment, however large, and
+/// so no force either: their own limit there is not that of a contact without torsion.
 Change coefficient(const std::string& name, std::optional<double> FingerParameters::*member) {
   return {name, [member](FingerParameters& finger, Projection projection) {
             std::optional<double>& value = finger.*member;
@@ -60,7 +60,8 @@ bool give_mu_dynamic(FingerParameters& finger, Projection) {
 
 /// a = cP^γ: both c and γ, which may be 0, a little more.
 bool move_radius(FingerParameters& finger, Projection) {
-  finger.radius_law = RadiusLaw::power(finger.radius_law.coefficient() * (1.0 + little), finger.radius_law.exponent() + little);
+  finger.radius_law =
+      RadiusLaw::power(finger.radius_law.coefficient() * (1.0 + little), finger.radius_law.exponent() + little);
   return !finger.mu_r.has_value();
 }
 

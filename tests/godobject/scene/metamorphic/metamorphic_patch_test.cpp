@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A patch that is fixed to the finger: what a yaw of the device's zero or of the body's frame, lifting and any path must not change, on every
-// surface.
+// A patch that is fixed to the finger: what a yaw of the device's zero or of the body's frame, lifting and any path
+// must not change, on every surface.
 #include "tests/godobject/scene/metamorphic/metamorphic.hpp"
 
 #include "limitcurve/patch/patch.hpp"
@@ -19,7 +19,8 @@ Quaterniond about(const Vector3d& axis, double angle) {
   return Quaterniond(Eigen::AngleAxisd(angle, axis));
 }
 
-/// The patch's x axis by its definition: the tangent part of the device's x axis, turned about the normal by α_p − α_g and the added twist.
+/// The patch's x axis by its definition: the tangent part of the device's x axis, turned about the normal by α_p − α_g
+/// and the added twist.
 Vector3d defined_axis(const DevicePose& device, const Vector3d& normal, double angle) {
   const Vector3d x = device.orientation * Vector3d::UnitX();
   const Vector3d tangent = (x - normal * normal.dot(x)).normalized();
@@ -27,7 +28,8 @@ Vector3d defined_axis(const DevicePose& device, const Vector3d& normal, double a
 }
 
 /// The friction force of a drag from a device's pose by 2 mm (or `far`) along `way`, divided by μP.
-double dragged(SoftFinger finger, const AnySurface& surface, const DevicePose& from, const Vector3d& way, double far = 2e-3) {
+double dragged(SoftFinger finger, const AnySurface& surface, const DevicePose& from, const Vector3d& way,
+               double far = 2e-3) {
   FingerOutput output;
   DevicePose device = from;
   for (int i = 0; i <= 200; ++i) {
@@ -41,7 +43,8 @@ double dragged(SoftFinger finger, const AnySurface& surface, const DevicePose& f
 TEST(MetamorphicPatch, AxesAreTheFingersWhateverThePath) {
   int slips = 0;
   int compared = 0;
-  const std::vector<std::pair<std::string, Patch>> patches{{"grooved", grooved()}, {"slim", Patch::ellipse(hertz(), 0.008, 0.002)}};
+  const std::vector<std::pair<std::string, Patch>> patches{{"grooved", grooved()},
+                                                           {"slim", Patch::ellipse(hertz(), 0.008, 0.002)}};
   for (const auto& [name, patch] : patches) {
     for (const NamedSurface& surface : all_surfaces()) {
       for (const double damping : {0.0, 1.0}) {
@@ -58,9 +61,11 @@ TEST(MetamorphicPatch, AxesAreTheFingersWhateverThePath) {
           const FingerOutput output = finger.update(surface.surface, device, time_step);
           if (output.state == ContactState::free) continue;
           if (std::fabs((device.orientation * Vector3d::UnitX()).dot(output.normal)) > 0.999) continue;
-          // The axis in which friction acted: that of the proxy's angle before its slip. At touch-down the proxy has the finger's angle.
+          // The axis in which friction acted: that of the proxy's angle before its slip. At touch-down the proxy has
+          // the finger's angle.
           const double angle = before.state == ContactState::free ? finger.state().sample.angle : before.angle;
-          const Vector3d expected = defined_axis(device, output.normal, angle - finger.state().sample.angle + device.twist);
+          const Vector3d expected =
+              defined_axis(device, output.normal, angle - finger.state().sample.angle + device.twist);
           ASSERT_LE((finger.state().patch.axis - expected).norm(), 1e-9) << i;
           ASSERT_TRUE(output.converged);
           ++compared;
@@ -81,7 +86,8 @@ TEST(MetamorphicPatch, AYawOfTheDeviceTurnsThePatchBeforeAndAfterTouchDown) {
   EXPECT_NEAR(dragged(fresh, plane, {{0.0, 0.0, -2e-3}}, Vector3d::UnitX()), 1.0, 1e-9);
   EXPECT_NEAR(dragged(fresh, plane, {{0.0, 0.0, -2e-3}, yawed}, Vector3d::UnitX()), 0.25, 1e-9);
   EXPECT_NEAR(dragged(fresh, plane, {{0.0, 0.0, -2e-3}, yawed}, Vector3d::UnitY()), 1.0, 1e-9);
-  EXPECT_NEAR(dragged(fresh, plane, {{0.0, 0.0, -2e-3}, Orientation::Identity(), quarter}, Vector3d::UnitY()), 1.0, 1e-9);
+  EXPECT_NEAR(dragged(fresh, plane, {{0.0, 0.0, -2e-3}, Orientation::Identity(), quarter}, Vector3d::UnitY()), 1.0,
+              1e-9);
   // Lifted, turned in the air and put down again it is as a fresh one is.
   SoftFinger used = fresh;
   for (int i = 0; i < 50; ++i) used.update(plane, {{1e-4 * i, 0.0, -2e-3}, about(Vector3d::UnitZ(), 0.1 * i)});
@@ -139,7 +145,8 @@ TEST(MetamorphicPatch, TheFirstTouchNearTheBottomOfABallDoesNotMatter) {
   EXPECT_NEAR(most, least, 1e-3);
 }
 
-// With the finger's x axis along the normal (the faces ±x of a box) the axis is transported: a number, and across a quarter of it.
+// With the finger's x axis along the normal (the faces ±x of a box) the axis is transported: a number, and across a
+// quarter of it.
 TEST(MetamorphicPatch, AnAxisNormalToTheSurfaceIsTransported) {
   const AnySurface box{BoxSurface{Vector3d::Constant(0.02)}};
   const SoftFinger finger(grooved(), parameters());

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What a replay must feel alike: a scene that is sampled otherwise, by repeated samples, halved steps and a row that is refused, on
-// every surface, with every curve, projection and set of parameters.
+// What a replay must feel alike: a scene that is sampled otherwise, by repeated samples, halved steps and a row that is
+// refused, on every surface, with every curve, projection and set of parameters.
 #include "tests/godobject/scene/metamorphic/metamorphic.hpp"
 
 namespace limitcurve::godobject::test::metamorphic {
 namespace {
 
-// A sample that is repeated, at once or later, changes nothing, whether the finger sticks or slips; but for dampers, which feel that the
-// finger has stopped. The inserted rows are not compared: a finger that repeats its position does not slip.
+// A sample that is repeated, at once or later, changes nothing, whether the finger sticks or slips; but for dampers,
+// which feel that the finger has stopped. The inserted rows are not compared: a finger that repeats its position does
+// not slip.
 TEST(Metamorphic, ARepeatedSampleChangesNothing) {
   for_each_scene(8, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     if (scene.finger.damping > 0.0) return;
@@ -29,13 +30,15 @@ TEST(Metamorphic, ARepeatedSampleChangesNothing) {
   });
 }
 
-// A step in two halves is the same step where the finger rests. Its twist is the path's integral of the spin: the mean of two normals stands for
-// all between, which errs by at most a quarter of what they differ by.
+// A step in two halves is the same step where the finger rests. Its twist is the path's integral of the spin: the mean
+// of two normals stands for all between, which errs by at most a quarter of what they differ by.
 TEST(Metamorphic, AStepInTwoHalvesIsTheSameWhereNothingSlips) {
   int halved = 0;
   for_each_scene(9, [&](const Scene& scene, const std::vector<Felt>& felt, Random&) {
     if (scene.finger.damping > 0.0) return;
-    const auto rests = [](const Felt& row) { return row[0].state == ContactState::stick && row[1].state == ContactState::stick; };
+    const auto rests = [](const Felt& row) {
+      return row[0].state == ContactState::stick && row[1].state == ContactState::stick;
+    };
     double spin_error = 0.0;
     Replay whole = scene.start;
     for (std::size_t i = 0; i < felt.size(); ++i) {
@@ -80,8 +83,8 @@ TEST(Metamorphic, AStepInTwoHalvesIsTheSameWhereNothingSlips) {
   EXPECT_GT(halved, 500);
 }
 
-/// A row that must be refused: a place that is not finite, one farther than a finger moves in a sample, an orientation that is none, a body nowhere,
-/// a time that is over.
+/// A row that must be refused: a place that is not finite, one farther than a finger moves in a sample, an orientation
+/// that is none, a body nowhere, a time that is over.
 Row refused(const Row& like, int how) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Row row = like;
@@ -101,8 +104,8 @@ Row refused(const Row& like, int how) {
 }
 constexpr int kinds_of_refusal = 10;
 
-// One refused row after any row but before the first: it is `invalid`, and nothing that follows differs. Dampers only: the step after it
-// knows no velocity; where the finger sticks, the one after that is as it was.
+// One refused row after any row but before the first: it is `invalid`, and nothing that follows differs. Dampers only:
+// the step after it knows no velocity; where the finger sticks, the one after that is as it was.
 TEST(Metamorphic, ARefusedRowLeavesNoTrace) {
   for_each_scene(10, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     for (int how = 0; how < kinds_of_refusal; ++how) {
@@ -131,7 +134,8 @@ TEST(Metamorphic, ARefusedRowLeavesNoTrace) {
           SCOPED_TRACE("row " + std::to_string(i) + ", finger " + std::to_string(finger));
           if (i == after + 1) {
             // A finger that slid, or would have, has another proxy from here on.
-            as_before = felt[i][finger].proxy == other[i][finger].proxy && felt[i][finger].angle == other[i][finger].angle;
+            as_before =
+                felt[i][finger].proxy == other[i][finger].proxy && felt[i][finger].angle == other[i][finger].angle;
             continue;
           }
           expect_alike(scene, felt[i][finger], 0.0, other[i][finger], {}, rounding(scene));

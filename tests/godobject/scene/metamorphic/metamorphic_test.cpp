@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a replay must feel alike: a scene that is turned, carried a kilometre away, mirrored, delayed, or moved as a whole, on every
-// surface, with every curve, projection and set of parameters.
+// What a replay must feel alike: a scene that is turned, carried a kilometre away, mirrored, delayed, or moved as a
+// whole, on every surface, with every curve, projection and set of parameters.
 #include "tests/godobject/scene/metamorphic/metamorphic.hpp"
 
 namespace limitcurve::godobject::test::metamorphic {
@@ -16,7 +16,8 @@ TEST(Metamorphic, ATurnedSceneFeelsTheSame) {
   });
 }
 
-// A kilometre away positions are resolved to 1.1e-13 m. The body's frame is exact; on the plane, without a body, so is the depth.
+// A kilometre away positions are resolved to 1.1e-13 m. The body's frame is exact; on the plane, without a body, so is
+// the depth.
 TEST(Metamorphic, ASceneAKilometreAwayFeelsTheSame) {
   for_each_scene(2, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     const Vector3d away = 1000.0 * random_direction(random);
@@ -36,7 +37,8 @@ TEST(Metamorphic, ASceneAKilometreAwayFeelsTheSame) {
   });
 }
 
-// All these surfaces are their own mirror image at x = 0. No number is rounded otherwise, but sums may be added in another order.
+// All these surfaces are their own mirror image at x = 0. No number is rounded otherwise, but sums may be added in
+// another order.
 TEST(Metamorphic, AMirroredSceneFeelsMirrored) {
   for_each_scene(3, [](const Scene& scene, const std::vector<Felt>& felt, Random&) {
     const auto mirror = [](const Vector3d& way) { return Vector3d(-way.x(), way.y(), way.z()); };
@@ -63,7 +65,8 @@ TEST(Metamorphic, ALaterSceneFeelsTheSame) {
   });
 }
 
-// What a device calls its own zero, any turn of it about any of its axes, does not matter; a twist that begins elsewhere only shifts α.
+// What a device calls its own zero, any turn of it about any of its axes, does not matter; a twist that begins
+// elsewhere only shifts α.
 TEST(Metamorphic, TheZeroOfTheDevicesAnglesDoesNotMatter) {
   for_each_scene(5, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     const Quaterniond yaw(Eigen::AngleAxisd(random.uniform(-3.0, 3.0), Vector3d::UnitZ()));
@@ -89,11 +92,12 @@ TEST(Metamorphic, TheZeroOfTheDevicesAnglesDoesNotMatter) {
 // The body is carried about with the fingers on it, 0.3 m and half a turn to and fro.
 TEST(Metamorphic, ABodyMovedWithItsFingersFeelsLikeOneAtRest) {
   for_each_scene(6, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
-    const std::array<Wave, 4> waves{Wave(random, 0.0, 0.3, 1.0, 20.0), Wave(random, 0.0, 0.3, 1.0, 20.0), Wave(random, 0.0, 0.3, 1.0, 20.0),
-                                    Wave(random, 0.0, 3.0, 1.0, 20.0)};
+    const std::array<Wave, 4> waves{Wave(random, 0.0, 0.3, 1.0, 20.0), Wave(random, 0.0, 0.3, 1.0, 20.0),
+                                    Wave(random, 0.0, 0.3, 1.0, 20.0), Wave(random, 0.0, 3.0, 1.0, 20.0)};
     const Vector3d axis = random_direction(random);
     const auto pose = [&](double time) {
-      return BodyPose{{waves[0].at(time), waves[1].at(time), waves[2].at(time)}, Quaterniond(Eigen::AngleAxisd(waves[3].at(time), axis))};
+      return BodyPose{{waves[0].at(time), waves[1].at(time), waves[2].at(time)},
+                      Quaterniond(Eigen::AngleAxisd(waves[3].at(time), axis))};
     };
     std::vector<Row> carried;
     for (const Row& row : scene.rows) carried.push_back(moved(row, pose(row.time)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What holds in every step of a random scene: one to four fingers of random stiffness, friction and radius on a body of random mass that rests,
-// is moved or is free, with every curve and projection on every surface.
+// What holds in every step of a random scene: one to four fingers of random stiffness, friction and radius on a body of
+// random mass that rests, is moved or is free, with every curve and projection on every surface.
 #include "tests/godobject/random_scene.hpp"
 
 #include "godobject/body/grasp.hpp"
@@ -22,8 +22,8 @@ Eigen::Quaterniond rotation(Random& random, double angle) {
 
 RadiusLaw any_radius(Random& random) {
   static const std::array<LoadSample, 4> measured{{{0.3, 0.002}, {1.0, 0.0026}, {3.0, 0.0034}, {9.0, 0.0031}}};
-  const std::array laws{RadiusLaw::constant(random.logarithmic(1e-4, 0.05)), RadiusLaw::hertz(0.008, 2e5), RadiusLaw::power(0.00207, 0.259),
-                        RadiusLaw::sampled(measured)};
+  const std::array laws{RadiusLaw::constant(random.logarithmic(1e-4, 0.05)), RadiusLaw::hertz(0.008, 2e5),
+                        RadiusLaw::power(0.00207, 0.259), RadiusLaw::sampled(measured)};
   return laws[random.below(4)];
 }
 
@@ -46,7 +46,8 @@ SoftFinger any_finger(const Choice& choice, Random& random) {
 }
 
 BodyParameters any_body(Random& random) {
-  BodyParameters body = BodyParameters::block(random.logarithmic(1e-3, 10.0), Vector3d::Constant(size) + 0.5 * random.vector(size));
+  BodyParameters body =
+      BodyParameters::block(random.logarithmic(1e-3, 10.0), Vector3d::Constant(size) + 0.5 * random.vector(size));
   if (random.below(2) == 0) body.gravity.setZero();
   if (random.below(3) == 0) body.free = {true, true, false, false, false, true};
   return body;
@@ -63,7 +64,8 @@ void wander(DevicePose& device, const BodyState& body, double stride, Random& ra
   device.twist += random.uniform(-1.0, 1.0) * stride / size;
 }
 
-/// How far the body's momentum is from that before a step and the impulse of the forces as they are rendered, of the larger of both.
+/// How far the body's momentum is from that before a step and the impulse of the forces as they are rendered, of the
+/// larger of both.
 double momentum_error(const Grasp& hand, const BodyState& before, double time_step) {
   const BodyParameters& body = hand.parameters();
   const BodyState& now = hand.body();
@@ -88,21 +90,25 @@ double momentum_error(const Grasp& hand, const BodyState& before, double time_st
   return whole > 0.0 ? (linear.norm() + angular.norm() / gyration) / whole : 0.0;
 }
 
-/// Whether a finger is refused with reason: a body that is flung away from a device leaves it behind by more than it may be displaced.
+/// Whether a finger is refused with reason: a body that is flung away from a device leaves it behind by more than it
+/// may be displaced.
 bool leapt(const FingerState& before, const SoftFinger& finger) {
   const Vector3d seen = finger.state().faults.refused_at;
   const double limit = finger.parameters().max_displacement;
-  return (seen - before.sample.position()).norm() > limit && !(before.faults.refused && (seen - before.faults.refused_at).norm() <= limit);
+  return (seen - before.sample.position()).norm() > limit &&
+         !(before.faults.refused && (seen - before.faults.refused_at).norm() <= limit);
 }
 
-// Every step of every finger is as `check_step` says, and the momentum of a free body changes by the impulse of the forces as they are rendered.
+// Every step of every finger is as `check_step` says, and the momentum of a free body changes by the impulse of the
+// forces as they are rendered.
 TEST(SceneSoak, EveryStepHolds) {
   std::array<int, 4> states{};
   std::size_t unsolved = 0;
   std::size_t body_steps = 0;
   for_each_choice(61, [&](const Choice& choice, Random& random) {
     const std::size_t fingers = 1 + random.below(4);
-    Grasp hand(any_body(random), {}, choice.surface.surface, std::vector<SoftFinger>(fingers, any_finger(choice, random)));
+    Grasp hand(any_body(random), {}, choice.surface.surface,
+               std::vector<SoftFinger>(fingers, any_finger(choice, random)));
     std::vector<DevicePose> devices(fingers);
     for (DevicePose& device : devices) device = {random.vector(0.9 * size), rotation(random, 3.0), 0.0};
     BodyState body;
@@ -148,8 +154,8 @@ TEST(SceneSoak, EveryStepHolds) {
   EXPECT_GT(states[static_cast<std::size_t>(ContactState::stick)], 10 * steps);
 }
 
-// Two fingers at rest press a body without gravity, which is knocked, from two sides: what the finite angle turned in a step may add to the energy
-// is all that it gains (godobject/README.md, "Bodies").
+// Two fingers at rest press a body without gravity, which is knocked, from two sides: what the finite angle turned in a
+// step may add to the energy is all that it gains (godobject/README.md, "Bodies").
 TEST(SceneSoak, ABodyBetweenFingersAtRestGainsNoEnergy) {
   for_each_choice(62, [&](const Choice& choice, Random& random) {
     BodyParameters body = any_body(random);
@@ -175,11 +181,13 @@ TEST(SceneSoak, ABodyBetweenFingersAtRestGainsNoEnergy) {
       knocked.angular_velocity.head<2>().setZero();
     }
     if (random.below(2) == 0) {
-      // The gripped point rests, and friction pulls it towards the centre of mass: what the turn of a step adds is not lost elsewhere.
+      // The gripped point rests, and friction pulls it towards the centre of mass: what the turn of a step adds is not
+      // lost elsewhere.
       const FingerParameters& with = held.finger(0).parameters();
       const Vector3d lever = planar ? Vector3d(at.x(), at.y(), 0.0) : at;
       const double stretch = random.uniform(0.0, 1.0) * std::min(with.mu, 1.0) * depth;
-      const double spin = random.uniform(1.0, 10.0) * std::sqrt(2.0 * with.stiffness * stretch / (body.mass * lever.norm()));
+      const double spin =
+          random.uniform(1.0, 10.0) * std::sqrt(2.0 * with.stiffness * stretch / (body.mass * lever.norm()));
       knocked.angular_velocity *= std::min(spin, 0.5 / time_step) / knocked.angular_velocity.norm();
       knocked.velocity = -knocked.angular_velocity.cross(lever);
       knocked.position = stretch * lever.normalized();
@@ -203,7 +211,9 @@ TEST(SceneSoak, ABodyBetweenFingersAtRestGainsNoEnergy) {
         moments += std::fabs(output.moment);
       }
       if (planar && let_go) break;  // it is no grip
-      ASSERT_LE(held.energy() - last - 1e-12 * first, turned * turned * (planar ? 0.5 * levers : first + levers + moments)) << i;
+      ASSERT_LE(held.energy() - last - 1e-12 * first,
+                turned * turned * (planar ? 0.5 * levers : first + levers + moments))
+          << i;
       last = held.energy();
     }
   });
