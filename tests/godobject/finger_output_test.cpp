@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Outputs of a finger beside force and moment: margin, load to hold, position of the COR; and its state as a value.
+#include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>

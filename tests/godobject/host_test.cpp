@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a host with collisions of its own needs: orientations, a body that moves, materials of the touched object.
+#include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/real_time_guard.hpp"
 

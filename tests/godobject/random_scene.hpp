@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>

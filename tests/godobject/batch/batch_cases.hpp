@@ -2,6 +2,7 @@
 #pragma once
 
 #include "godobject/batch/batch.hpp"
+#include "limitcurve/measured/samples.hpp"
 #include "tests/godobject/scene.hpp"
 
 #include <array>
