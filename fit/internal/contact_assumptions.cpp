@@ -62,11 +62,13 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, const Contac
   for (const Estimate& estimate : report.estimates) {
     if (estimate.name == "gamma") gamma = estimate.value;
   }
-  // Without sigmas residuals of the squared loss are in standard deviations, others in the typical error.
+  // Without sigmas residuals of the squared loss are in standard deviations, others in the typical error. With as many
+  // parameters as rows nothing scatters.
   const auto rows = static_cast<double>(report.residuals);
-  const double unit = options.loss.kind != Loss::Kind::squared
-                          ? preparation.noise
-                          : report.rms * std::sqrt(rows / (rows - static_cast<double>(report.free_parameters)));
+  const double unit =
+      options.loss.kind != Loss::Kind::squared
+          ? preparation.noise
+          : report.rms * std::sqrt(rows / std::max(1.0, rows - static_cast<double>(report.free_parameters)));
   const auto count = static_cast<Eigen::Index>(samples.size() - fit.outliers.size());
   Eigen::MatrixXd columns(count, waves);
   Eigen::VectorXd residuals(count);
