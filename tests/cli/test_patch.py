@@ -15,6 +15,17 @@ from patch_case import PatchCase, by_points
 COLUMNS = "vx,vy,omega,fx,fy,moment,power,error"
 
 
+
+def value_of(formula, problem):
+    """A formula as it is printed, with the symbols that the problem gives as 'd = 0.1'."""
+    given = {name: float(number) for name, number in re.findall(r"(\w) = ([\d.]+)", problem)}
+    tokens = re.findall(r"asinh|\d+|\w|\S", formula.replace("²", "^2").translate(str.maketrans("[]", "()")))
+    text = ""
+    for before, token in zip(["+", *tokens], tokens):
+        times = (before.isalnum() and before != "asinh" or before == ")") and (token.isalnum() or token in "(√")
+        text += "*" * times + {"^": "**", "√": "sqrt"}.get(token, token)
+    return eval(text, {"asinh": math.asinh, "sqrt": math.sqrt, "π": math.pi, **given})
+
 class Patch(PatchCase):
     def test_columns(self):
         self.assertEqual(header("patch", "--patch", "rectangle:x=1,y=2", "--twists", self.twists((1.0, 0.0, 0.0))),
@@ -67,26 +78,22 @@ class Patch(PatchCase):
             self.assertIn(told, done.stderr)
 
     def test_bolts_tyres_and_pucks(self):
-        """The commands of docs/not_robots.md give its answers."""
+        """On docs/not_robots.md, each command and each formula, with the numbers of its problem, give the answer."""
         page = (DATA.parent / "docs" / "not_robots.md").read_text(encoding="utf-8")
-        lines = [
-            re.split(r" \| ", line.strip("| "))[1:]
-            for line in page.splitlines()
-            if "limitcurve" in line and line.startswith("|")
-        ]
+        lines = [line.strip("| ").split(" | ") for line in page.splitlines() if re.match(r"\|.*limitcurve", line)]
         self.assertEqual(len(lines), 6)
-        for command, column, answer in lines:
+        for problem, command, column, answer in lines:
             path = os.path.dirname(EXECUTABLE) + os.pathsep + os.environ["PATH"]
             done = subprocess.run(["sh", "-c", command.strip("`")],
                                   cwd=self.folder,
-                                  env={
-                                      **os.environ, "PATH": path
-                                  },
+                                  env={**os.environ, "PATH": path},
                                   capture_output=True,
                                   text=True,
                                   check=True)
             row, = csv.DictReader(io.StringIO(done.stdout))
-            self.assertAlmostEqual(float(row[column.strip("`")]) / float(answer.split("=")[-1]), 1, delta=5e-4)
+            formula, number = answer.split(" = ")
+            for found in (row[column.strip("`")], value_of(formula, problem)):
+                self.assertAlmostEqual(float(found) / float(number), 1, delta=5e-4, msg=problem)
 
     def test_pixels_need_not_be_square(self):
         image = self.file("image.csv", "1,1\n1,1\n")
