@@ -1,32 +1,55 @@
 # SPDX-License-Identifier: MIT
-"""python -m limitcurve.lint FILE: what the friction numbers of a scene mean, which are never used, and what to write
+"""python -m limitcurve.lint FILE: what the friction numbers of a scene mean, which of them never act, and what to write
 instead.
 
-FILE is MJCF, URDF (with Bullet's or Gazebo's extensions), SDF or USDA. A CSV row for each place where a number is
-written: file, line, what it belongs to, how many of them; the parameter, in the words of `limitcurve translate --read`,
-and its value; the moment over the load and the contact radius that it stands for [m]; a verdict; with a contact
-(--radius-law or --patch) the number to write; a note.
-
-Verdicts: dead (never used), too large (more than twice the contact's), hidden (another geom's number counts), unused
-(condim below 4), no contact, no moment, ok, note. Exit status: 0, or 1 if a number is dead or too large, or 2 if the
-file cannot be read."""
+FILE is MJCF, URDF (with Bullet's or Gazebo's extensions), SDF or USDA. The result is CSV, with a row for each place
+where a number is written: file, line, what it belongs to, how many of them; the parameter, in the words of `limitcurve
+translate --read`, and its value; the moment over the load and the contact radius that it stands for [m]; a verdict; if
+a contact is given (--radius-law or --patch), the number to write; a note. Parts that are not read, such as the includes
+of SDF, are named on standard error."""
 
 import argparse
 import csv
 import math
+import os
 import re
 import sys
 from collections import defaultdict
+from dataclasses import astuple, dataclass
 from functools import lru_cache
 from pathlib import Path
 from xml.parsers import expat
 
 from . import translate
 
-COLUMNS = "file,line,what,count,parameter,value,moment_per_load,radius,verdict,write,note".split(",")
+# How far a number may be from the contact's, and how many times a pair's two sliding coefficients may differ.
+FACTOR = 2
+ANISOTROPY = 5
+# Verdicts, with the exit status. Code, help and docs/which_number.md read this table.
+VERDICTS = {
+    "dead": (1, "never acts, because the file switches it off"),
+    "unused": (1, "never acts, because no contact of the geom has condim 4 or 6"),
+    "hidden": (1, "another geom's number acts instead, always or with more than {FACTOR} times the contact's moment"),
+    "geom order": (1, "a pair's numbers in a geom's order: sliding differs more than {ANISOTROPY} times"),
+    "too large": (1, "more than {FACTOR} times the contact's"),
+    "too small": (1, "less than 1/{FACTOR} of the contact's"),
+    "creeps": (0, "the options let a held object turn or sink"),
+    "no contact": (0, "the geom touches nothing"),
+    "no moment": (0, "the number sets no moment about the normal"),
+    "note": (0, "no contact is given to compare the number with"),
+    "ok": (0, "within these bounds"),
+}
+ERROR = 2  # exit status if the file or the arguments cannot be read
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?")
 FLAGS = ("condim", "priority", "contype", "conaffinity")
 USD = ("newton:torsionalFriction", "physxCollision:minTorsionalPatchRadius", "physxCollision:torsionalPatchRadius")
+DEFAULT = (1.0, 0.005, 0.0001)  # MuJoCo's friction of a geom
+
+
+def verdicts():
+    """The table of verdicts, as lines of text."""
+    names = {"FACTOR": FACTOR, "ANISOTROPY": ANISOTROPY}
+    return "\n".join(f"  {name:10}  {status}  {text.format(**names)}" for name, (status, text) in VERDICTS.items())
 
 
 class Element:
@@ -77,6 +100,29 @@ def read_xml(path):
     return stack[0].children[0]
 
 
+@dataclass
+class Row:
+    """The columns, and what `finish` needs to judge the number."""
+    file: str
+    line: int
+    what: str
+    count: int
+    parameter: str
+    value: float
+    moment_per_load: float = math.nan
+    radius: float = math.nan
+    verdict: str = ""
+    write: float = math.nan
+    note: str = ""
+    mu: float = 1.0
+    read: tuple = ()  # the number and those beside it, as `translate` reads them
+    metre: float = 1.0  # length of the file's unit
+    rival: float = 0.0  # the largest number that acts in its place in a contact
+
+
+COLUMNS = list(Row.__dataclass_fields__)[:11]
+
+
 class Rows:
     """Collects numbers; `finish` says what they mean. `how`: the contact that they are for, as `translate` takes it, or
     nothing."""
@@ -84,41 +130,59 @@ class Rows:
     def __init__(self, law, mu, how):
         self.law, self.mu, self.how = law, mu, how
         self.wanted = lru_cache(None)(self.wanted)
-        self.found = []  # a row, its friction, its engine's other numbers and the length of its unit
+        self.found, self.notes = [], []
 
     def wanted(self, engine, mu):
         table = translate(mu=mu, engine=engine, **self.how)
         return dict(zip(table["parameter"], table["value"]))
 
-    def add(self, at, what, parameter, value, mu=None, others=(), verdict="", note="", count=1, metre=1.0):
+    def not_read(self, at, text):
+        self.notes.append(f"{at.file}:{at.line}: {text}")
+
+    def add(self, at, what, parameter, value, mu=None, others=(), verdict="", note="", count=1, metre=1.0, rival=0.0):
         """`at`: the element that states the number. Without a verdict the number is compared with the contact."""
         if not 0 <= value < math.inf:
             at.refuse(f"got {value:g}, expected a friction number >= 0")
-        engine = re.split("[.:]", parameter)[0]
-        mu = self.mu or mu
+        engine, mu = re.split("[.:]", parameter)[0], self.mu or mu
         others = [*others, *[f"friction={mu!r}"] * (mu is not None)]
-        row = [at.file, at.line, what, count, parameter, value, math.nan, math.nan, verdict, math.nan, note]
+        read = (f"{parameter}={value * metre!r}", *(f"{engine}.{other}" for other in others))
         self.found.append(
-            (row, mu or 1.0, [f"{parameter}={value * metre!r}", *(f"{engine}.{other}" for other in others)], metre))
+            Row(at.file, at.line, what, count, parameter, value, verdict=verdict, note=note, mu=mu or 1.0, read=read,
+                metre=metre, rival=rival))
 
     def finish(self, only=""):
-        kept = [found for found in self.found if re.search(only, found[0][2])]
-        for parameter in {row[4]
-                          for row, *_ in kept
-                          }:  # a contact's first number is that of its row: it begins a contact each time
-            rows = [found for found in kept if found[0][4] == parameter]
-            table = translate(self.law, mu=self.mu or 1.0, read=[text for _, _, texts, _ in rows for text in texts])
+        kept = [row for row in self.found if re.search(only, row.what)]
+        if self.found and not kept:
+            names = ", ".join(dict.fromkeys(row.what for row in self.found))
+            raise ValueError(f"--only: got '{getattr(only, 'pattern', only)}', expected a part of one of: {names}")
+        # One call for each parameter: a number of a parameter that was given already begins another contact.
+        for parameter in {row.parameter for row in kept}:
+            rows = [row for row in kept if row.parameter == parameter]
+            table = translate(self.law, mu=self.mu or 1.0, read=[text for row in rows for text in row.read])
             place = 0
-            for row, mu, texts, metre in rows:
-                row[6], row[7] = float(table["moment_per_load"][place]), float(table["radius"][place])
-                if self.how and row[6] == row[6]:
-                    name = str(table["parameter"][place]).replace("pair.friction[2]", "geom.friction[1]")
-                    row[9] = self.wanted(str(table["engine"][place]), mu).get(name, math.nan) / metre
-                means = "no moment" if row[6] == 0 else "note" if not self.how or row[6] != row[
-                    6] else "too large" if row[5] > 2 * row[9] else "ok"
-                row[8] = row[8] or means
-                place += len(texts)
-        return [row for row, *_ in kept]
+            for row in rows:
+                self.judge(row, **{name: table[name][place] for name in table})
+                place += len(row.read)
+        return kept
+
+    def judge(self, row, engine, parameter, moment_per_load, radius, **_):
+        row.moment_per_load, row.radius = float(moment_per_load), float(radius)
+        if self.how and not math.isnan(row.moment_per_load):
+            name = str(parameter).replace("pair.friction[2]", "geom.friction[1]")
+            row.write = self.wanted(str(engine), row.mu).get(name, math.nan) / row.metre
+        if row.verdict:
+            return
+        if row.rival > FACTOR * row.write:
+            row.verdict = "hidden"
+            row.note += f"; it is {row.rival / row.write:.2g} times the contact's"
+        elif row.value > FACTOR * row.write:
+            row.verdict = "too large"
+        elif row.value * FACTOR < row.write:
+            row.verdict = "too small"
+        elif row.moment_per_load == 0:
+            row.verdict = "no moment"
+        else:
+            row.verdict = "note" if math.isnan(row.write) else "ok"
 
 
 def include(element, main, seen):
@@ -145,7 +209,7 @@ class Surface:
 
     def __init__(self, friction=None, other=None):
         self.friction, self.condim, self.priority, self.contype, self.conaffinity = friction, 3, 0, 1, 1
-        self.at = self.condim_at = None
+        self.at = self.condim_at = self.friction_at = None
         self.__dict__.update(other.__dict__ if other else {})
 
     def state(self, element):
@@ -153,30 +217,35 @@ class Surface:
             stated = element.numbers("friction")
             if len(stated) > len(self.friction):
                 element.refuse(f"friction has {len(stated)} numbers, expected at most {len(self.friction)}")
-            self.friction = (*stated, *self.friction[len(stated):])
+            self.friction, self.friction_at = (*stated, *self.friction[len(stated):]), element
             self.at = element if len(stated) > len(self.friction) // 2 else self.at
         self.__dict__.update({key: int(element.numbers(key)[0]) for key in FLAGS if element.get(key) is not None})
         self.condim_at = element if element.get("condim") is not None else self.condim_at
         return self
 
 
+@dataclass
+class Geom:
+    element: Element
+    surface: Surface
+    body: int
+
+
 class Mjcf:
-    """The geoms (element, surface, body) and pairs of an MJCF file, resolved as MuJoCo does."""
+    """The geoms and pairs of an MJCF file, and which bodies meet, resolved as MuJoCo does."""
 
     def __init__(self, root):
         include(root, Path(root.file).parent, {Path(root.file).resolve()})
-        self.geoms, self.pairs, self.welds = [], [], [0]
-        self.classes = {
-            "geom": {
-                "main": Surface((1.0, 0.005, 0.0001))
-            },
-            "pair": {
-                "main": Surface((1.0, 1.0, 0.005, 0.0001, 0.0001))
-            }
-        }
-        for flag in root.every("flag"):
-            if flag.get("override") == "enable":
-                flag.refuse("not read: override replaces the friction of every contact by o_friction")
+        self.geoms, self.pairs = [], []
+        self.names, self.welds, self.parents = ["world"], [0], [0]  # of bodies; parents: the weld that a weld hangs on
+        self.classes = {"geom": {"main": Surface(DEFAULT)},
+                        "pair": {"main": Surface((1.0, 1.0, 0.005, 0.0001, 0.0001))}}
+        flags = {key: value for flag in root.every("flag") for key, value in flag.attributes.items()}
+        if flags.get("override") == "enable":
+            root.refuse("not read: <flag override> replaces the friction of every contact by o_friction")
+        self.filters_parents = flags.get("filterparent") != "disable"
+        self.options = {key: option for option in root.every("option") for key in option.attributes}
+        self.excludes = {frozenset((e.get("body1"), e.get("body2"))) for e in root.every("exclude")}
         for top in (t for t in root.children if t.tag == "default"):
             self.default(top, "main")
         for top in (t for t in root.children if t.tag in ("worldbody", "contact")):
@@ -192,165 +261,215 @@ class Mjcf:
             self.default(child, name)
 
     def of(self, element, otherwise):
-        name = element.get("class", otherwise)
-        if name not in self.classes["geom"]:
+        name, classes = element.get("class", otherwise), self.classes[element.tag]
+        if name not in classes:
             element.refuse(f"unknown default class '{name}'")
         stated = any(element.get(key) is not None for key in ("friction", *FLAGS))
-        return Surface(
-            other=self.classes[element.tag][name]).state(element) if stated else self.classes[element.tag][name]
+        return Surface(other=classes[name]).state(element) if stated else classes[name]
 
     def body(self, element, childclass, body):
         for child in element.children:
+            within = child.get("childclass", childclass)
             if child.tag == "pair":
                 self.pairs.append((child, self.of(child, childclass)))
             elif child.tag == "geom":
-                self.geoms.append((child, self.of(child, childclass), body))
-            elif child.tag in ("body", "frame", "replicate"):
-                if child.tag == "body":
-                    self.welds.append(
-                        len(self.welds) if child.child("joint") or child.child("freejoint") else self.welds[body])
-                self.body(child, child.get("childclass", childclass),
-                          len(self.welds) - 1 if child.tag == "body" else body)
+                self.geoms.append(Geom(child, self.of(child, childclass), body))
+            elif child.tag == "body":
+                self.names.append(child.get("name"))
+                self.parents.append(self.welds[body])
+                self.welds.append(len(self.welds) if moves(child) else self.welds[body])
+                self.body(child, within, len(self.welds) - 1)
+            elif child.tag in ("frame", "replicate"):
+                self.body(child, within, body)
             elif child.tag in ("attach", "composite", "flexcomp"):
                 child.refuse("not read: save the compiled model (mujoco.mj_saveLastXML) and read that")
 
+    def meet(self, one, other):
+        """Whether geoms of two bodies may touch without a pair."""
+        a, b = self.welds[one], self.welds[other]
+        related = self.filters_parents and a and b and (a == self.parents[b] or b == self.parents[a])
+        return a != b and not related and frozenset((self.names[one], self.names[other])) not in self.excludes
+
+
+def moves(body):
+    """Whether a body has a joint of its own."""
+    return any(c.tag in ("joint", "freejoint") or c.tag == "frame" and moves(c) for c in body.children)
+
 
 def lint_mjcf(root, rows):
-    scene, groups, kinds = Mjcf(root), defaultdict(list), defaultdict(lambda: defaultdict(list))
-    for element, s, body in scene.geoms:
-        kind, weld = (s.condim, s.priority, s.contype, s.conaffinity), scene.welds[body]
-        groups[(id(s.at or s.condim_at), s.friction, kind)].append((element, s, weld))
-        kinds[kind][weld].append(s.friction[1])
-    # The smallest and the largest number of two bodies: one of the two is another body than that of a geom.
-    ends = {
-        kind: sorted((min(n), w)
-                     for w, n in welds.items())[:2] + sorted((max(n), w)
-                                                             for w, n in welds.items())[-2:]
-        for kind, welds in kinds.items()
-    }
-    in_pair = {pair.get(key) for pair, _ in scene.pairs for key in ("geom1", "geom2")}
+    scene = Mjcf(root)
+    groups, kinds = defaultdict(list), defaultdict(list)  # alike geoms; torsional numbers by their flags
+    for geom in scene.geoms:
+        s = geom.surface
+        kind = (s.condim, s.priority, s.contype, s.conaffinity)
+        groups[(id(s.at or s.condim_at), s.friction, kind)].append(geom)
+        kinds[kind].append((s.friction[1], geom.body, s.at is None))
+    for numbers in kinds.values():
+        numbers[:] = sorted(set(numbers))
     torsion = any(s.condim > 3 for _, s in scene.pairs) or any(k[0] > 3 and (k[2] or k[3]) for k in kinds)
+    if torsion:
+        lint_options(scene.options, rows)
+    in_pair = {pair.get(key) for pair, _ in scene.pairs for key in ("geom1", "geom2")}
     for members in groups.values():
-        element, s, weld = members[0]
-        if s.at is None and s.condim < 4:
-            continue
-        own = {weld for _, _, weld in members}
-        meets = [(*k[:2], number) for k, end in ends.items() if k[2] & s.conaffinity or s.contype & k[3]
-                 for number, weld in end if own != {weld}]
-        # The geom of the higher priority says condim and friction; of two alike the larger counts.
-        turn = [
-            k for k in meets
-            if (max(k[0], s.condim) if k[1] == s.priority else k[0] if k[1] > s.priority else s.condim) > 3
-        ]
-        above = [k[1] for k in turn if k[1] > s.priority]
-        larger = [k[2] for k in turn if k[1] == s.priority and k[2] > s.friction[1]]
-        counts = len(turn) > len(above) + len(larger)
-        verdict, note = "", "" if s.at else "the default, not written"
-        if not (s.contype or s.conaffinity) and not any(m[0].get("name") in in_pair for m in members):
-            verdict, note = "no contact", "contype and conaffinity 0"
-        elif not torsion and s.friction[1] != 0.005:
-            verdict, note = "dead" if rows.how else "unused", "no geom or pair here has condim 4 or 6"
-        elif not turn and (meets or s.condim < 4):
-            verdict, note = "unused", "no contact of it has condim 4 or 6"
-        elif above and not counts and not larger:
-            verdict, note = "hidden", f"beside geoms of priority {max(above)}: their numbers count"
-        elif larger:
-            verdict, note = "hidden" * (
-                not counts), f'beside {max(larger):g} the larger counts; give priority="{s.priority + 1}" or a pair'
-        elif s.friction[1] < 0.005 and s.priority == 0:
-            note = "beside a geom with the default, 0.005, the larger counts"
-        at, what = s.at or s.condim_at, f"geom {element.get('name') or element.get('class') or ''}".strip()
-        rows.add(at, what, "mujoco.torsional", s.friction[1], s.friction[0], (), verdict, note, len(members))
-    turning = {element.get("name") for element, s, _ in scene.geoms if s.condim > 3}
+        s = members[0].surface
+        if s.at or s.condim > 3:
+            lint_geoms(scene, members, kinds, torsion, in_pair, rows)
+    turning = {geom.element.get("name") for geom in scene.geoms if geom.surface.condim > 3}
     for pair, s in scene.pairs:
-        ends_torsion = not s.at and s.condim < 4 and bool(turning & {pair.get("geom1"), pair.get("geom2")})
-        if s.at or s.condim > 3 or ends_torsion:
-            dead = s.condim_at is None and (s.friction[2] != 0.005 or ends_torsion)
-            at, what = s.at or s.condim_at or pair, f"pair {pair.get('geom1')} {pair.get('geom2')}"
-            verdict, note = "dead" if dead else "unused" if s.condim < 4 else "", "a pair has condim 3 unless it says so, whatever its geoms have"
-            rows.add(at, what, "mujoco.pair.torsional", s.friction[2], s.friction[0], (), verdict, note * dead)
+        lint_pair(pair, s, not s.at and s.condim < 4 and bool(turning & {pair.get("geom1"), pair.get("geom2")}), rows)
+
+
+def lint_options(options, rows):
+    """What the solver's options do to contacts with torsion, if the file states one."""
+    stated = [options[key] for key in ("cone", "impratio", "noslip_iterations") if key in options]
+    if not stated:
+        return
+    impratio, noslip = (options[key].numbers(key)[0] if key in options else default
+                        for key, default in (("impratio", 1.0), ("noslip_iterations", 0.0)))
+    note = ""
+    if "cone" not in options or options["cone"].get("cone") == "pyramidal":
+        note = f"a pyramidal cone: {'friction of a mixed slip falls, and ' * (impratio > 1)}a held object turns"
+    elif noslip < 1 and impratio < 1000:
+        note = "without noslip_iterations a held object turns"
+    if note:
+        note += '; write cone="elliptic" impratio="10" noslip_iterations="3"'
+        rows.add(stated[0], "option", "mujoco.impratio", impratio, verdict="creeps", note=note)
+
+
+def lint_geoms(scene, members, kinds, torsion, in_pair, rows):
+    """Geoms that say the same."""
+    element, s, own = members[0].element, members[0].surface, {geom.body for geom in members}
+    number, meets = s.friction[1], []
+    for (condim, priority, contype, conaffinity), numbers in kinds.items():
+        if contype & s.conaffinity or s.contype & conaffinity:
+            # Of each kind the smallest and the largest number that they meet: if one of the two loses, or wins, all do.
+            for ordered in (numbers, reversed(numbers)):
+                meets += next(([(condim, priority, other, default)] for other, body, default in ordered
+                               if any(scene.meet(one, body) for one in own)), [])
+    # The geom of the higher priority says condim and friction; of two alike the larger counts.
+    turn = [m for m in meets
+            if (max(m[0], s.condim) if m[1] == s.priority else m[0] if m[1] > s.priority else s.condim) > 3]
+    above = [m[1] for m in turn if m[1] > s.priority]
+    larger = [m[2:] for m in turn if m[1] == s.priority and m[2] > number]
+    counts = len(turn) > len(above) + len(larger)
+    verdict, note, rival = "", "" if s.at else "the default, not written", 0.0
+    if not (s.contype or s.conaffinity) and not any(m.element.get("name") in in_pair for m in members):
+        verdict, note = "no contact", "contype and conaffinity 0"
+    elif not torsion:
+        verdict, note = "dead" if rows.how else "unused", "no geom or pair here has condim 4 or 6"
+    elif not turn and (meets or s.condim < 4):
+        verdict, note = "unused", "no contact of it has condim 4 or 6"
+    elif above and not counts and not larger:
+        verdict, note = "hidden", f"beside geoms of priority {max(above)}: their numbers count"
+    elif larger:
+        rival, default = max(larger)
+        verdict = "" if counts or not s.at else "hidden"
+        note = f"beside {rival:g}{', a default,' * default} the larger counts"
+        note += f'; give priority="{s.priority + 1}" or a pair'
+    elif number < DEFAULT[1] and s.priority == 0:
+        note = f"beside a geom with the default, {DEFAULT[1]}, the larger counts"
+    if verdict in ("dead", "unused") and number == DEFAULT[1]:
+        verdict = "note"  # as if it were not written
+    what = f"geom {element.get('name') or element.get('class') or ''}".strip()
+    rows.add(s.at or s.condim_at, what, "mujoco.torsional", number, s.friction[0], (), verdict, note, len(members),
+             rival=rival)
+
+
+def lint_pair(pair, s, geoms_turn, rows):
+    """`geoms_turn`: a geom of the pair has torsion, the pair says nothing."""
+    slide, second, torsional, *rolls = s.friction
+    what, verdict, note = f"pair {pair.get('geom1')} {pair.get('geom2')}", "", ""
+    if second * ANISOTROPY < slide:
+        verdict = "geom order"
+        note = (f"a pair has two sliding numbers first: along y it holds {second:g}; "
+                f'write friction="{slide:g} {slide:g} {second:g} {torsional:g} {torsional:g}"')
+    elif not (s.at or s.condim > 3 or geoms_turn):
+        return
+    elif s.condim < 4:
+        dead = s.condim_at is None and (torsional != DEFAULT[1] or geoms_turn)
+        verdict = "dead" if dead else "unused" if torsional != DEFAULT[1] else "note"
+        note = "a pair has condim 3 unless it says so, whatever its geoms have"
+    at = (s.friction_at if verdict == "geom order" else s.at) or s.condim_at or pair
+    rows.add(at, what, "mujoco.pair.torsional", torsional, slide, (), verdict, note)
 
 
 def lint_urdf(root, rows):
     for link in root.every("link"):
         contact = link.child("contact")
         found = {c.tag: c for c in contact.children} if contact else {}
+        value = {tag: found[tag].numbers("value")[0] for tag in found if tag.endswith("_friction")}
         if "spinning_friction" in found:
-            mu = found["lateral_friction"].numbers("value")[0] if "lateral_friction" in found else 0.5
-            note = "" if "rolling_friction" in found else "between rigid bodies (useMaximalCoordinates) it needs rolling_friction > 0, too"
-            spinning = found["spinning_friction"]
-            rows.add(spinning,
-                     f"link {link.get('name')}",
-                     "bullet.spinning_friction",
-                     spinning.numbers("value")[0],
-                     mu,
-                     note=note)
+            rolls = value.get("rolling_friction", 0) > 0
+            rows.add(found["spinning_friction"], f"link {link.get('name')}", "bullet.spinning_friction",
+                     value["spinning_friction"], value.get("lateral_friction", 0.5),
+                     note="" if rolls else "two rigid bodies (useMaximalCoordinates) also need rolling_friction > 0")
     for gazebo in root.every("gazebo"):
         for mu in (c for c in gazebo.children if c.tag in ("mu1", "mu2")):
-            rows.add(mu,
-                     f"gazebo {gazebo.get('reference')}",
-                     "gazebo.mu" + "2" * (mu.tag == "mu2"),
-                     mu.numbers()[0],
+            rows.add(mu, f"gazebo {gazebo.get('reference')}", "gazebo.mu" + "2" * (mu.tag == "mu2"), mu.numbers()[0],
                      verdict="no moment")
         lint_sdf(gazebo, rows)
 
 
 def lint_sdf(root, rows):
+    for part in root.every("include"):
+        uri = part.child("uri")
+        rows.not_read(part, f"<include> of {uri.text.strip() if uri else '?'} is not read: check that file too")
     for collision in root.every("collision"):
-        torsional, what = collision.child("surface", "friction",
-                                          "torsional"), f"collision {collision.get('name', '')}".strip()
+        what = f"collision {collision.get('name', '')}".strip()
+        torsional = collision.child("surface", "friction", "torsional")
         at = {c.tag: c for c in torsional.children} if torsional else {}
         value = {tag: at[tag].numbers()[0] for tag in ("coefficient", "patch_radius", "surface_radius") if tag in at}
         patch = "use_patch_radius" not in at or at["use_patch_radius"].text.strip().lower() in ("1", "true")
         mu = value.get("coefficient", 1.0)
         if "patch_radius" in value:
             dead = value["patch_radius"] > 0 and not (patch and mu)
-            note = "use_patch_radius is false" if not patch else f"with coefficient {mu:g}" + ", the default" * (
-                "coefficient" not in value)
-            others = [f"coefficient={mu}", f"use_patch_radius={int(patch)}"]
-            rows.add(at["patch_radius"], what, "gazebo.patch_radius", value["patch_radius"], mu, others,
-                     "dead" if dead else "", note)
+            note = f"with coefficient {mu:g}" + ", the default" * ("coefficient" not in value)
+            rows.add(at["patch_radius"], what, "gazebo.patch_radius", value["patch_radius"], mu,
+                     [f"coefficient={mu}", f"use_patch_radius={int(patch)}"], "dead" * dead,
+                     note if patch else "use_patch_radius is false")
         elif "coefficient" in value and patch:
-            note = "patch_radius is 0 here: the other surface's counts"
-            rows.add(at["coefficient"], what, "gazebo.coefficient", mu, verdict="no moment", note=note)
+            rows.add(at["coefficient"], what, "gazebo.coefficient", mu, verdict="no moment",
+                     note="patch_radius is 0 here: the other surface's counts")
         if "surface_radius" in value:
-            verdict = "dead" if patch and value["surface_radius"] else "note"
-            note = "use_patch_radius is true: not read" if patch else "lever sqrt(value depth)"
-            rows.add(at["surface_radius"],
-                     what,
-                     "gazebo.surface_radius",
-                     value["surface_radius"],
-                     verdict=verdict,
-                     note=note)
+            radius = value["surface_radius"]
+            rows.add(at["surface_radius"], what, "gazebo.surface_radius", radius,
+                     verdict="dead" if patch and radius else "note",
+                     note="use_patch_radius is true: not read" if patch else "lever sqrt(value depth)")
 
 
 def lint_usda(root, rows):
-    text, number, prim = Path(root.file).read_text(encoding="utf-8",
-                                                   errors="replace"), r"\s*=\s*([-+]?\.?\d[-+.\deE]*)", ""
+    text, number = Path(root.file).read_text(encoding="utf-8", errors="replace"), r"\s*=\s*([-+]?\.?\d[-+.\deE]*)"
     unit = re.search(r"^\s*metersPerUnit" + number, text, re.M)
-    metre, frictions = float(unit[1]) if unit else 0.01, set(re.findall("physics:dynamicFriction" + number, text))
-    mu, condim = float(*frictions) if len(frictions) == 1 else None, max(map(int,
-                                                                             re.findall(r"mjc:condim\s*=\s*(\d)",
-                                                                                        text)),
-                                                                         default=3)
+    metre = float(unit[1]) if unit else 0.01
+    frictions = set(re.findall("physics:dynamicFriction" + number, text))
+    mu = float(*frictions) if len(frictions) == 1 else None
+    condim = max(map(int, re.findall(r"mjc:condim\s*=\s*(\d)", text)), default=3)
+    prim = ""
     for line, row in enumerate(text.splitlines(), 1):
         named = re.match(r'\s*(?:def|over|class)\s+(?:\w+\s+)?"([^"]*)"', row)
         prim = named[1] if named else prim
+        at = Element(f"prim {prim}", {}, root.file, line)
+        part = re.search(r"\b(subLayers|references|payload)\s*=", row)
+        if part:
+            rows.not_read(at, f"{part[1]} are not read: flatten the stage first, usdcat --flatten -o FILE.usda")
         found = re.match(r"\s*(?:custom\s+|uniform\s+)*(?:float|double|half)\s+([\w:]+)(\.timeSamples)?", row)
-        if found and found[1] in USD:
-            at, value = Element(f"prim {prim}", {}, root.file,
-                                line), re.fullmatch(number,
-                                                    re.split("[(#]", row[found.end(1):])[0].rstrip())
-            if value is None:
-                at.refuse(f"{found[1]}: expected a number")
-            notes = [f"a unit is {metre:g} m" + ", for want of metersPerUnit" *
-                     (unit is None)] if metre != 1 or not unit else []
-            if found[1].endswith(":torsionalPatchRadius"):
-                notes.append(
-                    f"lever sqrt(value depth), {1e3 * math.sqrt(float(value[1]) * metre * 1e-4):.3g} mm at 0.1 mm")
-            if found[1].startswith("newton") and condim < 4:
-                notes.append("SolverMuJoCo needs mjc:condim 4")
-            rows.add(at, at.tag, found[1], float(value[1]), mu, note="; ".join(notes), metre=metre)
+        if not found or found[1] not in USD:
+            continue
+        value = re.fullmatch(number, re.split("[(#]", row[found.end(1):])[0].rstrip())
+        if value is None:
+            at.refuse(f"{found[1]}: expected a number")
+        notes = []
+        if metre != 1:
+            notes.append(f"a unit is {metre:g} m" + ", for want of metersPerUnit" * (unit is None))
+        if found[1].endswith(":torsionalPatchRadius"):
+            lever = 1e3 * math.sqrt(float(value[1]) * metre * 1e-4)
+            notes.append(f"lever sqrt(value depth), {lever:.3g} mm at 0.1 mm")
+        if found[1].startswith("newton") and condim < 4:
+            notes.append("SolverMuJoCo needs mjc:condim 4")
+        rows.add(at, at.tag, found[1], float(value[1]), mu, note="; ".join(notes), metre=metre)
+
+
+READERS = {"usda": lint_usda, "mujoco": lint_mjcf, "robot": lint_urdf, "sdf": lint_sdf}
 
 
 def lint(path, rows):
@@ -358,11 +477,15 @@ def lint(path, rows):
     if b"\0" in head or head.startswith((b"PXR-USDC", b"PK")) or str(path).endswith((".xacro", ".erb")):
         raise ValueError(
             f"{path}: not plain XML or USDA; convert it first: usdcat {path} -o FILE.usda, or xacro {path} > FILE.urdf")
-    root = Element("usda", {}, path, 1) if head.startswith(b"#usda") else read_xml(path)
-    readers = {"usda": lint_usda, "mujoco": lint_mjcf, "robot": lint_urdf, "sdf": lint_sdf}
-    if root.tag not in readers:
+    begin = head.decode("utf-8", "replace").lstrip("\ufeff \t\r\n")
+    if not begin.startswith(("<", "#usda")):
+        raise ValueError(f"{path}: begins with {begin[:20]!r}, expected MJCF, URDF, SDF or USDA")
+    root = Element("usda", {}, path, 1) if begin.startswith("#usda") else read_xml(path)
+    if root.tag not in READERS:
         root.refuse("a part of a scene? Give the file that includes it; expected <mujoco>, <robot>, <sdf> or #usda")
-    readers[root.tag](root, rows)
+    READERS[root.tag](root, rows)
+    if not rows.found:
+        rows.not_read(root, "no number of friction with a moment is written here")
 
 
 def pattern(text):
@@ -373,19 +496,16 @@ def pattern(text):
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(prog="limitcurve.lint",
-                                     description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="limitcurve.lint", formatter_class=argparse.RawDescriptionHelpFormatter,
+        description=f"{__doc__}\n\nVerdicts, with the exit status; {ERROR} if the file cannot be read:\n{verdicts()}")
     parser.add_argument("file")
     parser.add_argument("--law", default="hertz", help="pressure law of the contact (default hertz)")
     parser.add_argument("--radius-law", help="the contact radius, for example constant:a=0.005; with --load")
     parser.add_argument("--load", type=float, help="normal load [N]")
     parser.add_argument("--patch", help="a contact that is not round, instead of law, radius law and load")
     parser.add_argument("--mu", type=float, help="friction coefficient, instead of the file's")
-    parser.add_argument("--only",
-                        default="",
-                        type=pattern,
-                        metavar="REGEX",
+    parser.add_argument("--only", default="", type=pattern, metavar="REGEX",
                         help="only geoms, links and prims whose column `what` matches")
     given = parser.parse_args(arguments)
     how = {"law": given.law, "radius_law": given.radius_law, "load": given.load} if given.radius_law else {}
@@ -396,14 +516,18 @@ def main(arguments=None):
             raise ValueError(f"--mu: got {given.mu:g}, expected > 0")
         lint(given.file, rows)
         found = rows.finish(given.only)
+        for note in rows.notes:
+            print(f"limitcurve.lint: note: {note}", file=sys.stderr)
+        cells = [["" if value != value else f"{value:.6g}" if isinstance(value, float) else value
+                  for value in astuple(row)[:len(COLUMNS)]] for row in found]
+        csv.writer(sys.stdout, lineterminator="\n").writerows([COLUMNS, *cells])
+        sys.stdout.flush()
+    except BrokenPipeError:  # the reader has seen enough: the verdict stands
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except (ValueError, OSError) as error:
         print(f"limitcurve.lint: error: {error}", file=sys.stderr)
-        return 2
-    cells = [["" if value != value else f"{value:.6g}" if isinstance(value, float) else value
-              for value in row]
-             for row in found]
-    csv.writer(sys.stdout, lineterminator="\n").writerows([COLUMNS, *cells])
-    return int(any(row[8] in ("dead", "too large") for row in found))
+        return ERROR
+    return max((VERDICTS[row.verdict][0] for row in found), default=0)
 
 
 if __name__ == "__main__":

@@ -55,7 +55,7 @@ def one(given, slide, spin):
 
 
 def held():
-    yield "bullet", VERSION, "ball", hold.DISC, gripped
+    yield "bullet", VERSION, "ball", hold.DISC, gripped, 1
 
 
 def gripped(offset):

@@ -78,7 +78,7 @@ def one(contact, slide, spin):
 def held():
     yield "drake", importlib.metadata.version("drake"), "ball, hydroelastic, a = 10 mm", ("--law", "parabolic",
                                                                                           "--radius-law",
-                                                                                          "constant:a=0.01"), gripped
+                                                                                          "constant:a=0.01"), gripped, 1
 
 
 def gripped(offset):

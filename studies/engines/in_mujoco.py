@@ -53,41 +53,29 @@ def one(contact, geom, option, speed, slide, spin):
     return tuple(total)
 
 
-def scene(geom, option, offset):
-    """As MJCF."""
+def scene(geom, option):
+    """As MJCF; its first three numbers of qpos are the place of the body."""
     pad = f'<geom mass="{hold.PAD_MASS}" priority="1" {geom}/>'
     half, z = " ".join(map(str, hold.HALF)), hold.HALF[2] + hold.BALL
     slide = [f'<joint type="slide" axis="0 0 {way}" damping="{hold.SLOWED}"/>{pad}' for way in (-1, 1)]
     return f"""<mujoco><option timestep="0.001" gravity="0 0 0" {option}/><worldbody>
-      <body pos="{-offset} 0 0"><freejoint/><geom type="box" size="{half}" mass="{hold.MASS}"/></body>
+      <body><freejoint/><geom type="box" size="{half}" mass="{hold.MASS}"/></body>
       <body pos="0 0 {z}">{slide[0]}</body><body pos="0 0 {-z}">{slide[1]}</body></worldbody></mujoco>"""
 
 
+def turn_and_height(qpos):
+    return 2 * np.arctan2(qpos[..., 6], qpos[..., 3]), qpos[..., 1]
+
+
 def gripped(geom, option, offset):
-    model = mujoco.MjModel.from_xml_string(scene(geom, option, offset))
+    model = mujoco.MjModel.from_xml_string(scene(geom, option))
     data = mujoco.MjData(model)
-    data.qfrc_applied[6:] = hold.GRIP
+    data.qpos[0], data.qfrc_applied[6:] = -offset, hold.GRIP
 
     def step(weight):
         data.xfrc_applied[1, 1] = -weight
         mujoco.mj_step(model, data)
-        return 2 * np.arctan2(data.qpos[6], data.qpos[3]), data.qpos[1]
-
-    return step
-
-
-def gripped_in_warp(geom, offset):
-    import mujoco_warp
-
-    model = mujoco.MjModel.from_xml_string(scene(geom, 'cone="elliptic" impratio="1e4"', offset))
-    there, now = mujoco_warp.put_model(model), mujoco_warp.put_data(model, mujoco.MjData(model))
-    now.qfrc_applied.assign([[0] * 6 + [hold.GRIP] * 2])
-
-    def step(weight):
-        now.xfrc_applied.assign([[[0] * 6, [0, -weight, 0, 0, 0, 0], [0] * 6, [0] * 6]])
-        mujoco_warp.step(there, now)
-        place = now.qpos.numpy()[0]
-        return 2 * np.arctan2(place[6], place[3]), place[1]
+        return turn_and_height(data.qpos)
 
     return step
 
@@ -97,23 +85,53 @@ def ball(*contact):
     return mu_r, f'type="sphere" size="{hold.BALL}" condim="4" friction="{hold.MU} {mu_r} 0"'
 
 
+NOSLIP = 'noslip_iterations="3"'
+PYRAMID = 'cone="pyramidal"'
+ELLIPTIC = 'cone="elliptic" impratio="10"'
+STIFF = 'cone="elliptic" impratio="1e4"'
+# What a ball is measured with under each name of MuJoCo.
+OPTIONS = {
+    "ball, elliptic, impratio 10, noslip 3": f"{ELLIPTIC} {NOSLIP}",
+    "ball, elliptic, impratio 10": ELLIPTIC,
+    "ball, elliptic, impratio 1e4": STIFF,
+    "ball, pyramid": PYRAMID,
+    "ball, pyramid, impratio 10": f'{PYRAMID} impratio="10"',
+}
+
+
+def held_in_worlds(engine, version, step_of):
+    """The rows of a relative of MuJoCo that steps many worlds at a time. `step_of(model, qpos, grip)` puts the worlds
+    at the rows of qpos under the generalised forces `grip`, and returns a function of the forces and torques on the
+    bodies that steps all worlds and returns their qpos."""
+    geom, worlds = ball(*hold.DISC)[1], 26
+
+    def gripped_in(model, offsets):
+        qpos = np.tile(model.qpos0, (len(offsets), 1))
+        qpos[:, 0] -= offsets
+        step, force = step_of(model, qpos, np.array([0] * 6 + [hold.GRIP] * 2)), np.zeros((model.nbody, 6))
+
+        def go_on(weight):
+            force[1, 1] = -weight
+            return turn_and_height(step(force))
+
+        return go_on
+
+    for setting, option in OPTIONS.items():
+        model = mujoco.MjModel.from_xml_string(scene(geom, option))
+        yield engine, version, setting, hold.DISC, lambda offsets, m=model: gripped_in(m, offsets), worlds
+
+
 def held():
     patch = ("--patch", "rectangle:x=0.02,y=0.012")
     (_, disc), (mu_r, pad) = ball(*hold.DISC), ball(*patch)
-    box, elliptic, pyramid = 'type="box" size="0.01 0.006 0.01"', 'cone="elliptic" impratio="10"', 'cone="pyramidal"'
-    noslip, more = 'noslip_iterations="3"', f'{elliptic} noslip_iterations="200"'
+    box, more = 'type="box" size="0.01 0.006 0.01"', f'{ELLIPTIC} noslip_iterations="200"'
     for setting, contact, geom, option in (
-        ("ball as listed", hold.DISC, disc, f"{elliptic} {noslip}"),
-        ("ball without noslip", hold.DISC, disc, elliptic),
-        ("ball without noslip, impratio 1e4", hold.DISC, disc, 'cone="elliptic" impratio="1e4"'),
-        ("ball, pyramid", hold.DISC, disc, pyramid),
-        ("ball, pyramid and noslip", hold.DISC, disc, f"{pyramid} {noslip}"),
-        ("box 20x12 mm by one ball", patch, pad, f"{elliptic} {noslip}"),
+        *((setting, hold.DISC, disc, option) for setting, option in OPTIONS.items()),
+        ("ball, pyramid, noslip 3", hold.DISC, disc, f"{PYRAMID} {NOSLIP}"),
+        ("box 20x12 mm by one ball", patch, pad, f"{ELLIPTIC} {NOSLIP}"),
         ("box 20x12 mm, noslip 200, condim 4", patch, f'{box} condim="4" friction="{hold.MU} {mu_r} 0"', more),
         ("box 20x12 mm, noslip 200, condim 3", patch, f'{box} condim="3" friction="{hold.MU} 0 0"', more),
         ("disc of radius m0 a, noslip 200, condim 3", patch,
          f'type="cylinder" size="{mu_r / hold.MU} 0.01" condim="3" friction="{hold.MU} 0 0"', more),
     ):
-        yield "mujoco", mujoco.__version__, setting, contact, lambda offset, a=(geom, option): gripped(*a, offset)
-    yield "mujoco-warp", importlib.metadata.version(
-        "mujoco-warp"), "ball, impratio 1e4", hold.DISC, lambda offset: gripped_in_warp(disc, offset)
+        yield "mujoco", mujoco.__version__, setting, contact, lambda offset, a=(geom, option): gripped(*a, offset), 1

@@ -59,23 +59,34 @@ class Finger:
 
 
 def held():
-    yield "newton", newton.__version__, "ball, impratio 1e4", hold.DISC, gripped
+    geom, worlds = in_mujoco.ball(*hold.DISC)[1], 26
+    for setting, cone, impratio in (("ball, elliptic, impratio 10", "elliptic", 10),
+                                    ("ball, elliptic, impratio 1e4", "elliptic", 1e4),
+                                    ("ball, pyramid", "pyramidal", 1), ("ball, pyramid, impratio 10", "pyramidal", 10)):
+        yield "newton", newton.__version__, setting, hold.DISC, lambda offsets, a=(geom, cone, impratio): gripped(
+            *a, offsets), worlds
 
 
-def gripped(offset):
-    builder = newton.ModelBuilder(gravity=(0, 0, 0))
-    newton.solvers.SolverMuJoCo.register_custom_attributes(builder)
-    builder.add_mjcf(in_mujoco.scene(in_mujoco.ball(*hold.DISC)[1], "", offset))
+def gripped(geom, cone, impratio, offsets):
+    one, builder = (newton.ModelBuilder(gravity=(0, 0, 0)) for _ in range(2))
+    newton.solvers.SolverMuJoCo.register_custom_attributes(one)
+    one.add_mjcf(in_mujoco.scene(geom, ""))
+    builder.replicate(one, len(offsets))
     model = builder.finalize(device="cpu")
-    solver = newton.solvers.SolverMuJoCo(model, cone="elliptic", impratio=1e4, use_mujoco_cpu=True)
+    solver = newton.solvers.SolverMuJoCo(model, cone=cone, impratio=impratio)
     states, control = [model.state(), model.state()], model.control()
+    place = states[0].joint_q.numpy().reshape(len(offsets), -1)
+    place[:, 0] -= offsets
+    states[0].joint_q.assign(place.ravel())
+    newton.eval_fk(model, states[0].joint_q, states[0].joint_qd, states[0])
 
     def step(weight):
         now, then = states
-        now.body_f.assign([[0, -weight, 0, 0, 0, 0], *([0, 0, grip, 0, 0, 0] for grip in (-hold.GRIP, hold.GRIP))])
+        forces = [[0, -weight, 0, 0, 0, 0], *([0, 0, grip, 0, 0, 0] for grip in (-hold.GRIP, hold.GRIP))]
+        now.body_f.assign(forces * len(offsets))
         solver.step(now, then, control, None, 1e-3)
         states.reverse()
-        place = then.body_q.numpy()[0]
-        return 2 * np.arctan2(place[5], place[6]), place[1]
+        place = then.body_q.numpy().reshape(len(offsets), -1, 7)[:, 0]
+        return 2 * np.arctan2(place[:, 5], place[:, 6]), place[:, 1]
 
     return step
