@@ -31,7 +31,8 @@ breathe_default_project = "limitcurve"
 breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}
 default_role = "code"
 autodoc_member_order = "bysource"
-autodoc_use_legacy_class_based = True  # the new one drops a signature that docstrings.py gives where it found none itself
+# the new one drops a signature that docstrings.py gives where it found none itself
+autodoc_use_legacy_class_based = True
 
 html_theme = "furo"
 # Styles of Pygments whose every colour has a contrast of 4.5; code stands on a ground of its own.

@@ -8,7 +8,8 @@ static unsafe class DriveFinger {
     if (status != Status.Ok) throw new Exception(Marshal.PtrToStringAnsi(LimitCurve.limitcurve_error()));
   }
   static void Expect(double got, double expected) {
-    if (!(Math.Abs(got - expected) <= 1e-6 * Math.Abs(expected))) throw new Exception("got " + got + ", expected " + expected);
+    if (!(Math.Abs(got - expected) <= 1e-6 * Math.Abs(expected)))
+      throw new Exception("got " + got + ", expected " + expected);
   }
 
   static void Main() {
@@ -33,7 +34,8 @@ static unsafe class DriveFinger {
     for (int step = 0; step <= 10; ++step) {
       contact.point[0] = 1e-3 * step;
       Check(LimitCurve.limitcurve_finger_update(finger, ref contact, 1e-3, out output));
-      if (output.state != (step < 2 ? State.Stick : State.Slip)) throw new Exception("step " + step + ": " + output.state);
+      if (output.state != (step < 2 ? State.Stick : State.Slip))
+        throw new Exception("step " + step + ": " + output.state);
       Check(LimitCurve.limitcurve_finger_update_under_load(finger, ref contact, 2, 1e-3, out output));
     }
     Expect(output.load, 2);

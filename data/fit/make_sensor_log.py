@@ -127,9 +127,8 @@ def wrench_log(noise):
             wrench = [rounded(value + noise.gauss(0, 0.01), 0.001) for value in (fx, fy, -load)]
             wrench += [rounded(value + noise.gauss(0, 5e-5), 1e-5) for value in (-height * fy, height * fx, moment)]
             sequence = len(lines) - 2
-            lines.append(
-                f"{stamp + sequence * 20_000_000},{sequence},{stamp + sequence * 20_000_000},ft_sensor,{','.join(wrench)}\n"
-            )
+            time = stamp + sequence * 20_000_000
+            lines.append(f"{time},{sequence},{time},ft_sensor,{','.join(wrench)}\n")
     return "".join(lines)
 
 

@@ -210,7 +210,8 @@ def number(value):
 def made():
     text = io.StringIO()
     text.write(
-        "# Questions that every interface answers alike; arguments and answers are explained in reference/make_conformance.py.\n"
+        "# Questions that every interface answers alike; arguments and answers are explained in "
+        "reference/make_conformance.py.\n"
     )
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(["quantity", "law", "arguments", "answer"])

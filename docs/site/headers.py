@@ -33,7 +33,8 @@ In words: [limitcurve for Python](../../python/README.md). All units are SI.
    :members:
 ```
 """
-NO_PYTHON = "# Python\n\nThis copy of the site was built where the Python package was not: its reference is missing. `scripts/maintain/site` says why.\n"
+NO_PYTHON = ("# Python\n\nThis copy of the site was built where the Python package was not: its reference is missing. "
+             "`scripts/maintain/site` says why.\n")
 
 
 class Header(DoxygenFileDirective):

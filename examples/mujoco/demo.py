@@ -18,7 +18,8 @@ FORCE = MASS * 9.81 / 2  # of a finger
 
 def scene(law: str = "hertz", keys: str = "") -> str:
     """The block, and two balls on slides along z; `keys` of the plugin beside its law, radius and mu."""
-    config = f'<config key="law" value="{law}"/><config key="radius_law" value="constant:a={RADIUS}"/><config key="mu" value="{MU}"/>'
+    config = (f'<config key="law" value="{law}"/><config key="radius_law" value="constant:a={RADIUS}"/><config '
+              f'key="mu" value="{MU}"/>')
     ball = '<geom type="sphere" size=".008" mass=".02" condim="1" priority="1"/><plugin instance="skin"/>'
     return f"""<mujoco><option timestep=".001" gravity="0 -9.81 0"/><extension><plugin plugin="limitcurve.finger">
       <instance name="skin">{config}<config key="contacts" value="2"/>{keys}</instance></plugin></extension><worldbody>
@@ -55,7 +56,8 @@ def main() -> None:
     for share in (0.99, 1.01, 1.5):
         turn, way = moved(scene(), share * least)
         print(
-            f"grip {share:.2f} of the {least:.4f} N to hold: turned {np.degrees(turn):.1e} degrees, moved {1e3 * way:.1e} mm in 3 s"
+            f"grip {share:.2f} of the {least:.4f} N to hold: turned {np.degrees(turn):.1e} degrees, moved "
+            f"{1e3 * way:.1e} mm in 3 s"
         )
         assert (turn > 0.05) if share < 1 else (turn < 1e-6 and way < 1e-8)
 

@@ -76,7 +76,8 @@ found, exact = in_mujoco_warp(*start), by_the_equations(start)
 moving = (exact[:, 0] > 0.01) & (RADIUS * exact[:, 1] > 0.01)
 apart = [size * np.abs(found - exact)[:, i][moving].max() for i, size in enumerate((1, RADIUS))]
 print(
-    f"{WORLDS} worlds on {wp.get_device()}: v is never further than {apart[0]:.1e} m/s from the equations, a omega {apart[1]:.1e} m/s"
+    f"{WORLDS} worlds on {wp.get_device()}: v is never further than {apart[0]:.1e} m/s from the equations, a omega "
+    f"{apart[1]:.1e} m/s"
 )
 assert max(apart) < 1e-4 and found[-1].max() < 1e-6  # a step changes v by 4e-4 m/s; in the end all rest
 

@@ -152,7 +152,8 @@ def main() -> None:
 
     print(f"MuJoCo {mujoco.__version__}, {DT * 1e3:g} ms a step, {1e6 * bare:.0f} us a step without any friction")
     print(
-        "run                       begins [s]  turned [deg]  slid [mm]  creep held [deg/s]  energy gained [J]  off plane [m]  [us/step]"
+        "run                       begins [s]  turned [deg]  slid [mm]  creep held [deg/s]  energy gained [J]  off "
+        "plane [m]  [us/step]"
     )
     figure, axes = plt.subplots(layout="constrained")
     for name, run in runs.items():
@@ -161,7 +162,8 @@ def main() -> None:
         # Distance between the fingers and the point of the block that they gripped first.
         c, s = np.cos(run["angle"][-1]), np.sin(run["angle"][-1])
         slid = float(np.hypot(run["x"][-1] + OFFSET * c, run["y"][-1] + OFFSET * s))
-        line = f"{name:25} {run['time'][turning.argmax()]:10.2f} {angle[-1]:13.1f} {1e3 * slid:10.1f} {angle[held] / GRIP_TIME[1]:19.4f}"
+        line = (f"{name:25} {run['time'][turning.argmax()]:10.2f} {angle[-1]:13.1f} {1e3 * slid:10.1f} "
+                f"{angle[held] / GRIP_TIME[1]:19.4f}")
         if "energy" in run:
             run["gain"] = float((run["energy"] - np.minimum.accumulate(run["energy"])).max())
             line += f"{run['gain']:19.1e} {run['off_plane'].max():14.1e} {1e6 * run['cost']:10.0f}"
@@ -187,7 +189,8 @@ def main() -> None:
                   stiffness=1e5)["angle"]
     apart = np.degrees(np.abs(runs["MuJoCo tangent ellipse"]["angle"] - hard[: len(ours["angle"])])).max()
     print(
-        f"with coefficients that follow the slip, MuJoCo alone is never further than {apart:.3f} degrees from pivot with hard springs"
+        f"with coefficients that follow the slip, MuJoCo alone is never further than {apart:.3f} degrees from pivot "
+        "with hard springs"
     )
     assert apart < 1
     axes.set(xlabel="time [s]",

@@ -53,7 +53,8 @@ def coupled(deflection: Pose, d: float) -> Pose:  # step b'
 def god_object(samples: Iterable[Sample], step_b: Callable[[Pose, float], Pose]) -> Iterator[Pose]:
     pose, proxy = (0.0, 0.0, 0.0), None
     for x_h, y_h, z_h, alpha_s, body in samples:
-        if proxy:  # steps d, e: x_c and alpha_c of eq. (14) are those of the material under the proxy; eq. (13), but with its sign
+        # steps d, e: x_c and alpha_c of eq. (14) are those of the material under the proxy; eq. (13), but with its sign
+        if proxy:
             turn, x, y = body[2] - pose[2], proxy[0] - pose[0], proxy[1] - pose[1]
             proxy = body[0] + x * cos(turn) - y * sin(turn), body[1] + x * sin(turn) + y * cos(turn), proxy[2] + turn
         pose, goal, d = body, (x_h, y_h, alpha_s), -z_h  # step a, on the plane z = 0; printed: alpha_s - alpha_0

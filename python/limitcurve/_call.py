@@ -79,7 +79,8 @@ class Columns(dict[str, NDArray[Any]]):
 
 
 Data: TypeAlias = "str | os.PathLike[str] | Mapping[str, ArrayLike] | Any"
-"""A file, or columns by name: a dict of arrays, a pandas DataFrame, a structured array. Rows with a masked number are left out, with a warning."""
+"""A file, or columns by name: a dict of arrays, a pandas DataFrame, a structured array.
+Rows with a masked number are left out, with a warning."""
 
 
 def column_names(data: Any) -> list[Any] | None:

@@ -16,12 +16,14 @@ BALL = '<body name="{0}"><freejoint/><geom name="{0}" size="0.1" {1}/></body>'
 
 
 def mjcf(body, before="", after=""):
-    return f'<mujoco>{before}<worldbody><geom name="floor" type="plane" size="1 1 1"/>{body}</worldbody>{after}</mujoco>'
+    return (f'<mujoco>{before}<worldbody><geom name="floor" type="plane" size="1 1 '
+            f'1"/>{body}</worldbody>{after}</mujoco>')
 
 
 def sdf(torsional):
     surface = f"<surface><friction><ode><mu>0.8</mu></ode><torsional>{torsional}</torsional></friction></surface>"
-    return f'<sdf version="1.9"><model name="m"><link name="l"><collision name="tip">{surface}</collision></link></model></sdf>'
+    return ('<sdf version="1.9"><model name="m"><link name="l"><collision '
+            f'name="tip">{surface}</collision></link></model></sdf>')
 
 
 def urdf(contact):
@@ -29,7 +31,8 @@ def urdf(contact):
 
 
 def usda(body, unit="metersPerUnit = 1"):
-    return f'#usda 1.0\n(\n    {unit}\n)\ndef Material "rubber"\n{{\n    float physics:dynamicFriction = 0.8\n    {body}\n}}\n'
+    return (f'#usda 1.0\n(\n    {unit}\n)\ndef Material "rubber"\n{{\n    float physics:dynamicFriction = 0.8\n    '
+            f'{body}\n}}\n')
 
 
 TIP = 'friction="0.8 0.0019" condim="4"'
@@ -124,7 +127,8 @@ def test_meaning_and_what_to_write(run):
     lines = {
         row["line"]: row["count"]
         for row in run({
-            "a.xml": '<mujoco>\n<default>\n<geom friction="1 0.1" condim="4"/></default><worldbody>\n<geom/><geom/></worldbody></mujoco>'
+            "a.xml": '<mujoco>\n<default>\n<geom friction="1 0.1" '
+                     'condim="4"/></default><worldbody>\n<geom/><geom/></worldbody></mujoco>'
         })[0]
     }
     assert lines == {"3": "2"}  # where the class writes it
@@ -159,13 +163,15 @@ MUJOCO = [
     {
         "a.xml": mjcf(
             BALL.format("a", 'class="x"') + BALL.format("b", 'class="y" friction="2"'),
-            '<default><geom friction="1 2 3"/><default class="x"><geom condim="4"/><default class="y"><geom friction="4 5"/></default></default></default>'
+            '<default><geom friction="1 2 3"/><default class="x"><geom condim="4"/><default class="y"><geom '
+            'friction="4 5"/></default></default></default>'
         )
     },
     {
         "a.xml": mjcf('<body childclass="tip"><geom size="1"/><body><geom size="1"/></body></body>',
                       '<include file="d.xml"/>'),
-        "d.xml": '<mujocoinclude><default><default class="tip"><geom friction="0.1 0.2"/></default></default></mujocoinclude>'
+        "d.xml": '<mujocoinclude><default><default class="tip"><geom friction="0.1 '
+                 '0.2"/></default></default></mujocoinclude>'
     },
     {
         "a.xml": mjcf('<frame childclass="tip"><geom size="1"/></frame><geom size="1"/>',
@@ -177,7 +183,8 @@ MUJOCO = [
     {
         "a.xml": mjcf(
             BALL.format("a", 'class="t"'),
-            '<default><default class="t"><geom condim="4"/></default></default><default><geom friction="9 8 7"/></default>'
+            '<default><default class="t"><geom condim="4"/></default></default><default><geom friction="9 8 '
+            '7"/></default>'
         )
     },
     {

@@ -44,9 +44,12 @@ def test_a_pushed_disc_turns_about_the_exact_centre(demo, lever):
                                                                                ("radius_law", f"constant:a={radius}")))
     model = mujoco.MjModel.from_xml_string(
         f"""<mujoco><option timestep=".001" gravity="0 0 -10"/><extension><plugin plugin="limitcurve.finger">
-      <instance name="skin">{keys}</instance></plugin></extension><worldbody><geom type="plane" size="0 0 1"/><body pos="0 0 .005">
-      <joint type="slide" axis="0 0 1"/><joint type="slide" axis="1 0 0" damping="{drag}"/><joint type="hinge" axis="0 0 1" damping="{drag * radius**2}"/>
-      <geom type="cylinder" size="{radius} .005" mass=".3" condim="1" priority="1"/><plugin instance="skin"/></body></worldbody></mujoco>"""
+      <instance name="skin">{keys}</instance></plugin></extension><worldbody>
+      <geom type="plane" size="0 0 1"/><body pos="0 0 .005">
+      <joint type="slide" axis="0 0 1"/><joint type="slide" axis="1 0 0" damping="{drag}"/>
+      <joint type="hinge" axis="0 0 1" damping="{drag * radius**2}"/>
+      <geom type="cylinder" size="{radius} .005" mass=".3" condim="1" priority="1"/><plugin instance="skin"/></body>
+      </worldbody></mujoco>"""
     )
     data, push = mujoco.MjData(model), np.array([1, lever * radius])
     data.qfrc_applied[1:] = 1.1 * mu * 3 / lc.Table(law, 1e-8).gauge(1.0, lever) * push

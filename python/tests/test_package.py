@@ -59,7 +59,8 @@ def test_importing_twice_keeps_the_types_of_the_first(names):
     again(
         f"for k in [k for k in sys.modules if k.startswith('{names}')]: del sys.modules[k]\n"
         "import limitcurve as second, limitcurve._core as core\n"
-        "assert second.Law is core.Law is type(law) and second.Table(law).wrench(1, 1) == core.Table('hertz').wrench(1, 1)\n"
+        "assert second.Law is core.Law is type(law) and second.Table(law).wrench(1, 1) == "
+        "core.Table('hertz').wrench(1, 1)\n"
         "assert second.__version__ and law.evaluate([0.5])[0] > 0")
 
 
@@ -70,13 +71,18 @@ def test_another_interpreter_is_told_so_and_the_first_goes_on():
     # The module itself, too: of the package NumPy may be refused first.
     again(
         f"import {interpreters} as other, limitcurve._core as core\n"
-        "alone = f'import importlib.util as u; u.module_from_spec(u.spec_from_file_location(\"limitcurve._core\", {core.__file__!r}))'\n"
+        "alone = f'import importlib.util as u; u.module_from_spec(u.spec_from_file_location(\"limitcurve._core\", "
+        "{core.__file__!r}))'\n"
         "for code in (alone, 'import limitcurve'):\n"
-        "    try:\n        failed = other.run_string(other.create(), code)\n    except Exception as error:\n        failed = error\n"
+        "    try:\n        failed = other.run_string(other.create(), code)\n    except Exception as error:\n        "
+        "failed = error\n"
         "    assert 'ImportError' in repr(failed), failed\n"
-        "    assert repr(law).startswith('Law') and law.evaluate([0.5])[0] == limitcurve.Law('hertz').evaluate([0.5])[0] > 0\n"
-        "    assert limitcurve.SoftFinger(limitcurve.Table(law, 1e-4)).update((0, 0, 0), (0, 0, 1), 0.001, 0).load == 1\n"
-        "    try:\n        limitcurve.Law('herz')\n    except ValueError as error:\n        assert 'herz' in str(error)\n"
+        "    assert repr(law).startswith('Law') and law.evaluate([0.5])[0] == "
+        "limitcurve.Law('hertz').evaluate([0.5])[0] > 0\n"
+        "    assert limitcurve.SoftFinger(limitcurve.Table(law, 1e-4)).update((0, 0, 0), (0, 0, 1), 0.001, 0).load == "
+        "1\n"
+        "    try:\n        limitcurve.Law('herz')\n    except ValueError as error:\n        assert 'herz' in "
+        "str(error)\n"
         "    else:\n        assert False\n")
 
 

@@ -21,6 +21,7 @@ for row in now:
     for name in ("force", "moment"):
         if not abs(float(row[name]) - float(old[name])) < 1e-3:
             sys.exit(
-                f"{row['engine']} {row['version']} {row['model']} c = {row['c']}: {name} = {row[name]}, kept: {old[name]} ({old['version']})"
+                f"{row['engine']} {row['version']} {row['model']} c = {row['c']}: {name} = {row[name]}, kept: "
+                f"{old[name]} ({old['version']})"
             )
 print(f"{len(now)} points as kept")

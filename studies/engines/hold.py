@@ -78,7 +78,8 @@ def main():
         for engine, version, setting, contact, make, worlds in importlib.import_module("in_" + name).held():
             limit = allowed(*contact)
             greatest, turned, creep = measured(make, worlds, limit)
-            writer.writerow([engine, version, setting, *(f"{n:.4f}" for n in (limit, greatest)), f"{turned:.3f}", f"{creep:.5f}"])
+            writer.writerow([engine, version, setting, f"{limit:.4f}", f"{greatest:.4f}", f"{turned:.3f}",
+                             f"{creep:.5f}"])
             results.flush()
 
 

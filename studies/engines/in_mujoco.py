@@ -26,7 +26,8 @@ def measure():
 
 
 def one(contact, geom, option, speed, slide, spin):
-    size = f'type="sphere" size="{drag.BALL_RADIUS}"' if contact == "ball" else f'type="cylinder" size="{drag.DISC_RADIUS} {drag.DISC_HEIGHT / 2}"'
+    disc = f'type="cylinder" size="{drag.DISC_RADIUS} {drag.DISC_HEIGHT / 2}"'
+    size = f'type="sphere" size="{drag.BALL_RADIUS}"' if contact == "ball" else disc
     height = drag.BALL_RADIUS if contact == "ball" else drag.DISC_HEIGHT / 2
     # On a slide and a hinge so inert that friction does not slow them. Contacts are soft: slow slip meets viscous
     # friction, fast slip lifts the finger.

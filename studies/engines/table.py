@@ -17,7 +17,8 @@ for path in sys.argv[1:]:
 
 writer = csv.writer(sys.stdout, lineterminator="\n")
 print(
-    "# Made by studies/engines/measure. radial: largest error of the limit curve's radius; same_cor: largest distance of the wrench at the same centre of "
+    "# Made by studies/engines/measure. radial: largest error of the limit curve's radius; same_cor: largest distance "
+    "of the wrench at the same centre of "
     "rotation, over the limits; points: centres of rotation.")
 writer.writerow(["engine", "version", "model", "contact", "law", "radial", "same_cor", "points"])
 for (engine, model, contact, law), rows in sorted(points.items()):

@@ -7,7 +7,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from report.chart_style import BLUE, DASHES, FAINT, GREEN, INK, ORANGE, PURPLE, VERMILION, Table, law_style, legend_below, plt, save  # noqa: E402
+from report.chart_style import (BLUE, DASHES, FAINT, GREEN, INK, ORANGE, PURPLE, VERMILION, Table,  # noqa: E402
+                                law_style, legend_below, plt, save)
 
 OURS = "limitcurve"
 COLOURS = (VERMILION, ORANGE, GREEN, PURPLE, FAINT)

@@ -79,7 +79,8 @@ plt.rcParams.update({
     "mathtext.fontset": "dejavusans",
     "figure.dpi": 100,
     "savefig.dpi": 160,
-    "svg.fonttype": "none",  # words stay text: half the bytes, and a reader can search it; FONTS says what replaces a missing font
+    # words stay text: half the bytes, and a reader can search it; FONTS says what replaces a missing font
+    "svg.fonttype": "none",
     "svg.hashsalt": "limitcurve",
 })
 

@@ -4,7 +4,8 @@ csv_files.py for their columns), returns a figure."""
 
 import math
 
-from .chart_style import BLUE, ELLIPSE, FAINT, GREEN, GRID, INK, ORANGE, VERMILION, Table, law_style, legend_in_sight, plt, quadrant, short
+from .chart_style import (BLUE, ELLIPSE, FAINT, GREEN, GRID, INK, ORANGE, VERMILION, Table, law_style, legend_in_sight,
+                          plt, quadrant, short)
 
 QUARTER = [math.pi / 2 * i / 72 for i in range(73)]
 
@@ -80,7 +81,8 @@ def title_of_radius_law(text):
     if kind == "constant":
         return f"Contact radius constant: a = {float(values['a']) * 1e3:.3g} mm"
     if kind == "power":
-        return f"Growing with the load: a = {float(values['c']) * 1e3:.3g} mm × $(P/\\mathrm{{N}})^{{{values['gamma']}}}$"
+        return (f"Growing with the load: a = {float(values['c']) * 1e3:.3g} mm × "
+                f"$(P/\\mathrm{{N}})^{{{values['gamma']}}}$")
     return f"Growing with the load: {text}"
 
 

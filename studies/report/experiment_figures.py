@@ -232,22 +232,24 @@ def section(data):
     soft, softest, stiff = 1, min(scan["coupled"]), max(scan["coupled"])
     return ("A block between two fingers", [
         ("pivot",
-         f"""The paper’s experiment (Figs. 7 to 11): cases A and B, and the exact curve. The grip on a sandpaper block loosens
-slowly, without dampers. The centre of mass (blue path) lies beside the grip (dot). With coupled limits the block pivots before it is
-lost: by {turned['coupled']:.1f}° and {turned['exact']:.1f}° once it has slid {lost} past the grip (dots). With uncoupled limits it
-turns by {abs(turned['uncoupled']):.1f}°. Top to bottom: poses (Figs. 7, 10); centre of mass, angle and load over time (Figs. 8, 11);
-the slip’s centre of rotation; one finger’s [r, ρ] plane (Fig. 9) with one step magnified: the goal has moved on (diamond), and step b
-moves the god-object to the p-curve of its load. Friction, cases and level start are the paper’s; block
-({1e3 * BLOCK_LENGTH:.0f} × {1e3 * BLOCK_HEIGHT:.0f} mm, 0.1 kg, {offset:.0f} mm off-centre), springs and time step are our choice.""",
+         f"""The paper’s experiment (Figs. 7 to 11): cases A and B, and the exact curve. The grip on a sandpaper block
+loosens slowly, without dampers. The centre of mass (blue path) lies beside the grip (dot). With coupled limits the
+block pivots before it is lost: by {turned['coupled']:.1f}° and {turned['exact']:.1f}° once it has slid {lost} past the
+grip (dots). With uncoupled limits it turns by {abs(turned['uncoupled']):.1f}°. Top to bottom: poses (Figs. 7, 10);
+centre of mass, angle and load over time (Figs. 8, 11); the slip’s centre of rotation; one finger’s [r, ρ] plane (Fig.
+9) with one step magnified: the goal has moved on (diamond), and step b moves the god-object to the p-curve of its
+load. Friction, cases and level start are the paper’s; block ({1e3 * BLOCK_LENGTH:.0f} × {1e3 * BLOCK_HEIGHT:.0f} mm,
+0.1 kg, {offset:.0f} mm off-centre), springs and time step are our choice.""",
          "Use coupled limits, or the object slides out level. For this, the ellipse is good enough."),
         ("pivot_operator",
-         f"""A simulated operator loosens the grip until the block turns, and tightens it at 30°. The motion is slow (0.1 rad/s)
-and the fingers are damped like a hand: 86 N s/m, a damping ratio of 1. Digits of young adults mostly have more (Park et al.,
-Clinical Biomechanics 29:129–137, 2014). The block stops at {math.degrees(kept['coupled']['angle']):.1f}° (A) and
-{math.degrees(kept['exact']['angle']):.1f}° (exact). In case B it is caught {1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower, still
-level.""", "Use coupled limits if loosening the grip should turn an object."),
+         f"""A simulated operator loosens the grip until the block turns, and tightens it at 30°. The motion is slow
+(0.1 rad/s) and the fingers are damped like a hand: 86 N s/m, a damping ratio of 1. Digits of young adults mostly have
+more (Park et al., Clinical Biomechanics 29:129–137, 2014). The block stops at
+{math.degrees(kept['coupled']['angle']):.1f}° (A) and {math.degrees(kept['exact']['angle']):.1f}° (exact). In case B it
+is caught {1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower, still level.""",
+         "Use coupled limits if loosening the grip should turn an object."),
         ("pivot_stiffness", f"""The paper does not state the twist stiffness. With the radial projection the block turns
-by {scan['coupled'][softest]:.0f}° to {scan['coupled'][stiff]:.1f}° (ratios {softest:g} to {stiff:g}), with the closest point
-by {min(scan['exact'].values()):.0f}° to {max(scan['exact'].values()):.0f}°.""",
+by {scan['coupled'][softest]:.0f}° to {scan['coupled'][stiff]:.1f}° (ratios {softest:g} to {stiff:g}), with the closest
+point by {min(scan['exact'].values()):.0f}° to {max(scan['exact'].values()):.0f}°.""",
          f"Use the closest point, or a ratio near {soft}."),
     ], "")

@@ -56,7 +56,8 @@ def write(data, numbers, sections, pictures):
                          f'<p class="use"><b>So:</b> {use}</p>{links(name, tables)}</figcaption></figure>')
         if after:
             parts.append(
-                f'<details><summary>The numbers</summary><div class="wide" role="region" aria-label="{plain}: table" tabindex="0">{after}</div></details>'
+                f'<details><summary>The numbers</summary><div class="wide" role="region" aria-label="{plain}: table" '
+                f'tabindex="0">{after}</div></details>'
             )
         parts.append("</section>")
     style = Path(__file__).with_name("page.css").read_text(encoding="utf-8")
@@ -75,14 +76,15 @@ def write(data, numbers, sections, pictures):
 <body>
 <main>
 <h1>Limit curves of a soft finger</h1>
-<p>A finger pad that slides and twists at once cannot bear its full friction force and its full friction moment together: the limit curve is the pairs that it can just bear.
-f = F/(μP) and m = M/(μPa) are force and moment in units of load P, friction coefficient μ and contact radius a; the centre of rotation (COR) is the point that does not move.
+<p>A finger pad that slides and twists at once cannot bear its full friction force and its full friction moment
+together: the limit curve is the pairs that it can just bear. f = F/(μP) and m = M/(μPa) are force and moment in units
+of load P, friction coefficient μ and contact radius a; the centre of rotation (COR) is the point that does not move.
 Eq. (n) is that of the paper named at the end. Each figure has its data below it.</p>
 <ul class="numbers">{head}</ul>
 <nav aria-labelledby="contents"><h2 id="contents">Contents</h2><ol>{contents}</ol></nav>
 {"".join(parts)}
-<footer>A. Frisoli, F. Barbagli, E. Ruffaldi, K. Salisbury, M. Bergamasco, <em>A limit-curve based soft finger god-object algorithm</em>, Haptics Symposium
-2006.</footer>
+<footer>A. Frisoli, F. Barbagli, E. Ruffaldi, K. Salisbury, M. Bergamasco, <em>A limit-curve based soft finger
+god-object algorithm</em>, Haptics Symposium 2006.</footer>
 </main>
 </body>
 </html>

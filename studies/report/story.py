@@ -47,7 +47,8 @@ def numbers_to_remember(data):
     step = data["work_precision_step"].where(boundary="table 1e-8", projection="closest-point")[0]["many_warm_ns"]
     return [
         (largest,
-         f"The usual ellipse overestimates friction by up to {largest} ({worst['law']}; {best['law']}: {least}), and misplaces "
+         f"The usual ellipse overestimates friction by up to {largest} ({worst['law']}; {best['law']}: {least}), and "
+         "misplaces "
          f"the centre of rotation by up to {percent(worst_cor_error(data), 0)}."),
         (percent(radial, 0),
          f"If a finger slides straight on and turns, v/ω = a, the radial projection misses the friction by up to "
@@ -152,30 +153,32 @@ def sections(data):
         pictures.section(),
         ("One curve for each pressure law", [
             ("limit_curves",
-             """The paper’s Fig. 3 for the pressure laws of this library. A pressure law describes how the load spreads over
-the contact. Scaled to its own limits, every law’s curve lies <em>inside</em> the dashed ellipse. The shapes are much alike; the
-largest moments differ widely.""", "If you do not know the law, use hertz with your measured friction moment."),
+             """The paper’s Fig. 3 for the pressure laws of this library. A pressure law describes how the load spreads
+over the contact. Scaled to its own limits, every law’s curve lies <em>inside</em> the dashed ellipse. The shapes are
+much alike; the largest moments differ widely.""",
+         "If you do not know the law, use hertz with your measured friction moment."),
         ], laws_table(data)),
         ("Loads and centres of rotation", [
             ("load_curves",
-             """The two families of the paper’s Fig. 4. A p-curve (blue) is the limit curve at one load. A c-curve (orange)
-shows force and moment about one centre of rotation as the load grows. It is straight only if the contact radius is constant.""",
+             """The two families of the paper’s Fig. 4. A p-curve (blue) is the limit curve at one load. A c-curve
+(orange) shows force and moment about one centre of rotation as the load grows. It is straight only if the contact
+radius is constant.""",
              "Give the finger its a(P); do not just scale one curve."),
         ], ""),
         ("How wrong the ellipse is", [
             ("ellipse_error",
-             f"""Left: the ellipse overestimates friction by {percent(over[0], 1)} to {percent(over[-1], 1)} (worst: {worst}).
-Right: it puts the centre of rotation at {min(ratios):.2f} to {max(ratios):.2f} times its true distance.""",
+             f"""Left: the ellipse overestimates friction by {percent(over[0], 1)} to {percent(over[-1], 1)} (worst:
+{worst}). Right: it puts the centre of rotation at {min(ratios):.2f} to {max(ratios):.2f} times its true distance.""",
              "Use an ellipse for rough forces, not to predict motion after slip."),
             ("models",
-             f"""Each dot is a model’s largest error, as a fraction of the true friction. The ellipse through the limits is off
-by {percent(over[0], 1)} to {percent(over[-1], 1)}. A box, which limits force and moment separately, overestimates by up to
-{percent(max(boxes), 0)}.""", "Use a table: you choose the error."),
+             f"""Each dot is a model’s largest error, as a fraction of the true friction. The ellipse through the
+limits is off by {percent(over[0], 1)} to {percent(over[-1], 1)}. A box, which limits force and moment separately,
+overestimates by up to {percent(max(boxes), 0)}.""", "Use a table: you choose the error."),
         ], ""),
         ("Look-up tables", [
             ("tables",
-             f"""Left: down to a tolerance of {short(finest)}, no table exceeds {largest:.0f} bytes. Right: the error of a
-{short(tolerance)} table at {places} slips. It stays within the tolerance (grey).""",
+             f"""Left: down to a tolerance of {short(finest)}, no table exceeds {largest:.0f} bytes. Right: the error
+of a {short(tolerance)} table at {places} slips. It stays within the tolerance (grey).""",
              "Use a tolerance of 1e-8 and forget about the curve."),
         ], "<p>Tables for the materials of the paper’s Table 1. The radius is inferred from the measured ratio "
          "μ<sub>r</sub>/μ and the law, and is larger than a fingertip’s. If you have measured μ<sub>r</sub>, use it "
@@ -183,48 +186,56 @@ by {percent(over[0], 1)} to {percent(over[-1], 1)}. A box, which limits force an
         ("A god-object that obeys the curve", [
             ("god_object",
              """The god-object (proxy) is where the finger would be if it could not enter the surface. Springs pull it
-towards its goal: r is their stretch, ρ their twist. Three scripted motions in the planes of the paper’s Figs. 5 and 9, with the
-limit curves of several loads. A pure drag stays on the r axis, a pure twist on the ρ axis. In the third motion the finger slides
-and turns while the load changes.""", "Compare models on combined motions. Only there do they differ."),
+towards its goal: r is their stretch, ρ their twist. Three scripted motions in the planes of the paper’s Figs. 5 and 9,
+with the limit curves of several loads. A pure drag stays on the r axis, a pure twist on the ρ axis. In the third
+motion the finger slides and turns while the load changes.""",
+         "Compare models on combined motions. Only there do they differ."),
             ("felt",
-             f"""What the user feels. Shaded: the finger slips, according to the exact curve (law {html.escape(run['law'])},
-μ = {run['mu']:g}, k<sub>l</sub> = {run['stiffness']:g} N/m, k<sub>r</sub> = {run['twist_stiffness']:g} N m/rad).""",
+             f"""What the user feels. Shaded: the finger slips, according to the exact curve (law
+{html.escape(run['law'])}, μ = {run['mu']:g}, k<sub>l</sub> = {run['stiffness']:g} N/m, k<sub>r</sub> =
+{run['twist_stiffness']:g} N m/rad).""",
              "Use a table and the closest point where a finger slides and turns at once."),
         ], ""),
         ("The projection matters more than the curve", [
             ("steady_twist",
-             f"""A finger slides straight on and turns, v/ω = c = {twist['cor']:g} a. Errors are fractions of the limits. With the closest
-point the wrench settles at that of eq. (17), at every stiffness; on the ellipse only the ellipse’s own error remains. With the
-radial projection the ratio of the springs decides, whatever the curve. About a centre that stays the force lags: keep k<sub>l</sub> ≫ μP/c.""",
+             f"""A finger slides straight on and turns, v/ω = c = {twist['cor']:g} a. Errors are fractions of the
+limits. With the closest point the wrench settles at that of eq. (17), at every stiffness; on the ellipse only the
+ellipse’s own error remains. With the radial projection the ratio of the springs decides, whatever the curve. About a
+centre that stays the force lags: keep k<sub>l</sub> ≫ μP/c.""",
              "Use the radial projection only if k<sub>r</sub> is near k<sub>l</sub>(μ<sub>r</sub>/μ)²."),
         ], ""),
         experiment_figures.section(data),
         ("From measurements to parameters", [
             ("fits",
-             """Left: slips from a synthetic sensor log with gross outliers, and the limit curve fitted with a robust loss. Right: the residuals. If the model is right, 95 % of them lie in the
-grey band.""", "Add <code>--loss cauchy</code> if some rows may not be slips."),
+             """Left: slips from a synthetic sensor log with gross outliers, and the limit curve fitted with a robust
+loss. Right: the residuals. If the model is right, 95 % of them lie in the grey band.""",
+         "Add <code>--loss cauchy</code> if some rows may not be slips."),
         ], fits_table(data)),
         ("Contacts that are not round", [
             ("patches",
-             f"""Left: published pushes of a plate on three known points over hardboard and plywood. Measured power divided by a
-model’s power is the friction coefficient; for a correct model it does not depend on the share of rotation. It drifts by {drifts[0]}
-for three points (blue) and {drifts[1]} for the usual ellipsoid (orange). Nothing is fitted. Right: the best disc is off by
-{percent(square['max_error'], 1)} for a square and {percent(long['max_error'], 0)} for a 5 : 1 rectangle.""",
+             f"""Left: published pushes of a plate on three known points over hardboard and plywood. Measured power
+divided by a model’s power is the friction coefficient; for a correct model it does not depend on the share of
+rotation. It drifts by {drifts[0]} for three points (blue) and {drifts[1]} for the usual ellipsoid (orange). Nothing is
+fitted. Right: the best disc is off by {percent(square['max_error'], 1)} for a square and
+{percent(long['max_error'], 0)} for a 5 : 1 rectangle.""",
              "Use the patch itself, or ask <code>limitcurve choose --patch</code>."),
         ], ""),
         ("Speed against accuracy", [
             ("work_precision",
-             """Each dot is one way to compute a friction wrench, on one machine. Errors are in units of μP and μPa, like a
-table’s tolerance, not fractions of the limits.""",
+             """Each dot is one way to compute a friction wrench, on one machine. Errors are in units of μP and μPa,
+like a table’s tolerance, not fractions of the limits.""",
              "Use a 1e-8 table in a loop, <code>evaluate</code> as a reference."),
         ], ""),
         ("The same finger in a physics engine", [
             ("engines",
-             """We dragged a finger in the engines themselves. MuJoCo’s elliptic cone is the ellipse; its default pyramid is the
-diamond. ODE and Bullet limit force and moment separately, so nearly all their wrenches lie in the box’s corner. Pure force and pure
-moment are right (in the pyramid, for slips of at least 30 mm/s).""", "Use MuJoCo’s elliptic cone if you can."),
+             """We dragged a finger in the engines themselves. MuJoCo’s elliptic cone is the ellipse; its default
+pyramid is the diamond. ODE and Bullet limit force and moment separately, so nearly all their wrenches lie in the box’s
+corner. Pure force and pure moment are right (in the pyramid, for slips of at least 30 mm/s).""",
+         "Use MuJoCo’s elliptic cone if you can."),
         ],
-         f"<p>Coefficients for a finger with {html.escape(engine['law'])} pressure, a(P) by {html.escape(engine['radius_law'])}, "
-         f"μ = {engine['mu']:g}, at {engine['load']:g} N. <code>limitcurve translate</code> has formulas, and rules for two "
+         f"<p>Coefficients for a finger with {html.escape(engine['law'])} pressure, a(P) by "
+         f"{html.escape(engine['radius_law'])}, "
+         f"μ = {engine['mu']:g}, at {engine['load']:g} N. <code>limitcurve translate</code> has formulas, and rules "
+         "for two "
          "bodies.</p>" + engines_table(data)),
     ]

@@ -37,7 +37,8 @@ class Report(CommandLineTest):
 
     def test_data_and_words(self):
         whole = call(self.directory)
-        undrawn = "from report import __main__, page; page.picture = lambda data, draw, name: ('<svg />', ()); __main__.main()"
+        undrawn = ("from report import __main__, page; page.picture = lambda data, draw, name: ('<svg />', ()); "
+                   "__main__.main()")
         whole["args"][2:4] = ["-c", undrawn]
         done = subprocess.run(**whole, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))

@@ -309,7 +309,8 @@ def work_precision(data):
     figure.text(
         0.5,
         0.012,
-        "Ringed: what to take, and for what. Filled: this library. Hollow: others. Dashes above dots: one of 64 tables, visited at random.\n"
+        "Ringed: what to take, and for what. Filled: this library. Hollow: others. Dashes above dots: one of 64 "
+        "tables, visited at random.\n"
         "Error against 50-digit values of eq. (17), between them against evaluate in 80 bits. "
         f"Measured on {data['work_precision_step'][0]['machine']}.",
         ha="center",
@@ -346,8 +347,10 @@ def all_work_precision(data):
     figure.text(
         0.5,
         0.004,
-        "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (red).\n"
-        "Dashes above dots: one of 64 tables, visited at random. Error against 50-digit values, between them against evaluate. "
+        "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others "
+        "(red).\n"
+        "Dashes above dots: one of 64 tables, visited at random. Error against 50-digit values, between them against "
+        "evaluate. "
         f"Measured on {machine}.",
         ha="center",
         fontsize=8.5,

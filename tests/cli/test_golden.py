@@ -77,7 +77,8 @@ class Recorded(unittest.TestCase):
                     for line, one, other, off in zip(case[2:], expected, found, differences(column, expected, found)):
                         self.assertLessEqual(
                             off, 1.0,
-                            f"row {line.split(',')[0]}, {column}: expected {one}, got {other}, off by so many tolerances"
+                            f"row {line.split(',')[0]}, {column}: expected {one}, got {other}, off by so many "
+                            "tolerances"
                         )
 
 

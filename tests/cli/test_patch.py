@@ -106,7 +106,8 @@ class Patch(PatchCase):
         self.refused(f"image:{image},pixel=0.5x-1", "pixel", "-1")
 
     def test_a_file_of_tekscan_has_its_spacing_and_frames(self):
-        header = "DATA_TYPE MOVIE\r\nROWS 2\r\nCOLS 3\r\nROW_SPACING 5.0 mm\r\nCOL_SPACING 4.0 mm\r\nUNITS RAW\r\nASCII_DATA @@\r\n"
+        header = ("DATA_TYPE MOVIE\r\nROWS 2\r\nCOLS 3\r\nROW_SPACING 5.0 mm\r\nCOL_SPACING 4.0 mm\r\nUNITS "
+                  "RAW\r\nASCII_DATA @@\r\n")
         frames = "\r\nFrame 1\r\n1,0,3\r\n0,2,0\r\n\r\nFrame 2\r\n5,0,1\r\n1,1,1\r\n@@\r\n"
         movie, plain = self.file("映画.asf", header + frames), self.file("plain.csv", "5,0,1\n1,1,1\n")
         twist = (1.0, 0.2, 30.0)

@@ -94,7 +94,8 @@ class Pivot(CommandLineTest):
                 self.assertEqual(done.returncode, 0)
                 self.assertRegex(
                     done.stderr,
-                    r"\Alimitcurve: warning: the grip begins at 0.9 N a finger and does not hold the block: that needs \S+ N\n\Z"
+                    r"\Alimitcurve: warning: the grip begins at 0.9 N a finger and does not hold the block: that needs "
+                    r"\S+ N\n\Z"
                 )
                 self.assert_close(float(done.stderr.split()[-2]), needed, 5e-3)  # of three digits
             self.assertEqual(run(*call, "--release", f"from={needed * (1 + 1e-9)},to=0,over=10").stderr, "")

@@ -164,12 +164,15 @@ class Replays(CommandLineTest):
         self.assertIn("at 0.02 N", chosen.stderr)
 
     def test_each_reason_of_invalid_rows_is_named_once(self):
-        bad = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n0.001,0,0,-0.001,0\n0.002,0,0,-0.001,0\n0.006,2e6,0,-0.001,0\n"
+        bad = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n" \
+            "0.001,0,0,-0.001,0\n0.002,0,0,-0.001,0\n0.006,2e6,0,-0.001,0\n"
         done = run("replay", "--trace", self.file("trace.csv", bad), *FINGER)
         self.assertEqual(done.stderr.splitlines(), [
-            "limitcurve: note: 1 sample invalid, from time 0.006 s on: a coordinate, the depth or the twist is beyond 1e6",
+            "limitcurve: note: 1 sample invalid, from time 0.006 s on: a coordinate, the depth or the twist is beyond "
+            "1e6",
             "limitcurve: note: 2 samples invalid, from time 0.001 s on: the time goes back or is not finite",
-            "limitcurve: note: 1 sample invalid, from time 0.004 s on: the finger moved by more than the maximum displacement"
+            "limitcurve: note: 1 sample invalid, from time 0.004 s on: the finger moved by more than the maximum "
+            "displacement"
         ])
         self.assertEqual(run("replay", "--quiet", "--trace", self.directory / "trace.csv", *FINGER).stderr, "")
 

@@ -81,7 +81,11 @@ class Tables(CommandLineTest):
             #define __device__ __attribute__((device))
             #define __global__ __attribute__((global))
             #include "table.h"
-            __global__ void step(double* f, double* m, double* g) { *g = NAME_gauge(*f, *m); *f = NAME_closest_point(*f, *m, 1.0).force; *m = NAME_wrench(*f, *m).moment; }
+            __global__ void step(double* f, double* m, double* g) {
+              *g = NAME_gauge(*f, *m);
+              *f = NAME_closest_point(*f, *m, 1.0).force;
+              *m = NAME_wrench(*f, *m).moment;
+            }
             int main() { return NAME_gauge(0.3, 0.1) > 1.0 || NAME_closest_point(2.0, 0.0, 1.0).force != 1.0; }
             """.replace("NAME",
                         re.search(r"(\w+)_wrench\(double", (self.directory / "table.h").read_text()).group(1)))
@@ -153,8 +157,14 @@ class Tables(CommandLineTest):
 
 
 SINGLE = """#include "single.h"
-float wrench_of(float slide, float spin, float *moment) { *moment = single_wrench(slide, spin).moment; return single_wrench(slide, spin).force; }
-float closest_to(float f, float m, float chi, float *moment) { *moment = single_closest_point(f, m, chi).moment; return single_closest_point(f, m, chi).force; }
+float wrench_of(float slide, float spin, float *moment) {
+  *moment = single_wrench(slide, spin).moment;
+  return single_wrench(slide, spin).force;
+}
+float closest_to(float f, float m, float chi, float *moment) {
+  *moment = single_closest_point(f, m, chi).moment;
+  return single_closest_point(f, m, chi).force;
+}
 """
 COMPARE = """#include "fine.h"
 #include <math.h>
@@ -172,7 +182,8 @@ int main(int count, char **words) {
     most[0] = fmax(most[0], fmax(fabs(force - to.force), fabs(moment - to.moment)));
     float f = i % 50 ? 2 * any() : 0, m = i % 51 ? 1.5f * any() : 0, chi = (float)pow(10.0, 6 * any() - 3);
     force = closest_to(-f, m, chi, &moment), to = fine_closest_point(-f, m, chi);
-    most[1] = fmax(most[1], fabs(fine_gauge(f, m) - 1) < 1e-5 ? 0 : fmax(fabs(force - to.force), fabs(moment - to.moment)));
+    double off = fmax(fabs(force - to.force), fabs(moment - to.moment));
+    most[1] = fmax(most[1], fabs(fine_gauge(f, m) - 1) < 1e-5 ? 0 : off);
     if (i < 10000) mean += (force + moment) / 10000;
   }
   printf("%g %g %.9g\\n", most[0], most[1], mean);

@@ -71,7 +71,8 @@ class BadTables(CommandLineTest):
     def test_rows_nested_as_deep_as_a_file_may_be(self):
         deep = "[" * 1000000 + "]" * 1000000
         sides = f'"inside": [{deep}], "outside": [{deep}]'
-        text = '{"format": "limitcurve table 2", "law": "hertz", "tolerance": 1e-6, "checked_error": 1e-7, "index_bits": 4, "octaves": 4, ' \
+        text = '{"format": "limitcurve table 2", "law": "hertz", "tolerance": 1e-6, "checked_error": 1e-7, ' \
+            '"index_bits": 4, "octaves": 4, ' \
             '"linear_error": 1, "profile_error": 0, "checksum": "0", ' + sides + "}"
         self.assert_fails(2, "row 1: got a nested array", "lookup", "--table", self.file("deep.json", text), "--c", "1")
 

@@ -30,9 +30,10 @@ for (const e of document.querySelectorAll("body *")) {
   const typed = e.tagName === "SELECT" || e.matches("input:not([type=range], [type=checkbox], [type=radio])");
   if (!own && !typed || ["SCRIPT", "STYLE", "OPTION"].includes(e.tagName)) continue;
   if (!e.checkVisibility({checkOpacity: true, checkVisibilityCSS: true})) continue;
-  const what = e.tagName + "#" + e.id + "." + e.getAttribute("class") + " " + e.textContent.trim().slice(0, 30), ground = behind(e);
+  const what = e.tagName + "#" + e.id + "." + e.getAttribute("class") + " " + e.textContent.trim().slice(0, 30);
+  const ground = behind(e), placed = getComputedStyle(e, "::placeholder").color;
   result.push([what, ratio(over(parse(getComputedStyle(e).color), ground), ground)]);
-  if (e.placeholder) result.push([what + " placeholder", ratio(over(parse(getComputedStyle(e, "::placeholder").color), ground), ground)]);
+  if (e.placeholder) result.push([what + " placeholder", ratio(over(parse(placed), ground), ground)]);
 }
 return result;
 """

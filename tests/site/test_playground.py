@@ -71,7 +71,8 @@ class Playground(browser.PageTest):
         self.browser.execute_script("document.querySelector('input[value=block]').click()")
 
     def call(self, function, first, options):
-        script = f"const done = arguments[arguments.length - 1]; limitcurve.{function}(arguments[0], arguments[1]).then(done, (e) => done(String(e)))"
+        script = (f"const done = arguments[arguments.length - 1]; limitcurve.{function}(arguments[0], "
+                  "arguments[1]).then(done, (e) => done(String(e)))")
         result = self.browser.execute_async_script(script, first, options)
         self.assertIsInstance(result, list, result)
         return result

@@ -117,7 +117,8 @@ class Browsed(unittest.TestCase):
                            ("limitcurve_finger_update", "reference/c.html")):
             with self.subTest(word):
                 browser.show(self.browser, f"{(SITE / 'search.html').as_uri()}?q={word}")
-                script = "return [...document.querySelectorAll('#search-results a')].map((a) => a.href.split(/[?#]/)[0])"
+                script = ("return [...document.querySelectorAll('#search-results a')].map((a) => "
+                          "a.href.split(/[?#]/)[0])")
                 browser.wait(self,
                              lambda script=script, page=page:
                              (SITE / page).as_uri() in self.browser.execute_script(script),
@@ -135,7 +136,8 @@ class Browsed(unittest.TestCase):
     def test_formulas_are_drawn(self):
         browser.show(self.browser, (SITE / "theory.html").as_uri())
         sizes = self.browser.execute_script(
-            "return [...document.querySelectorAll('math')].map((e) => [e.textContent, e.getBoundingClientRect().width, e.getBoundingClientRect().height])"
+            "return [...document.querySelectorAll('math')].map((e) => [e.textContent, e.getBoundingClientRect().width, "
+            "e.getBoundingClientRect().height])"
         )
         self.assertGreater(len(sizes), 40)
         for text, width, height in sizes:
