@@ -159,6 +159,7 @@ class Patch {
 
  private:
   struct Direction;
+  friend class PatchTable;
 
   explicit Patch(const std::shared_ptr<const patch::Shape>& isotropic);
   Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my, PatchPoint centre, double radius);

@@ -3,6 +3,7 @@
 
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/shell_word.hpp"
+#include "limitcurve/table/table_text.hpp"
 #include "limitcurve/version.hpp"
 
 #include <algorithm>
@@ -125,80 +126,7 @@ std::array<std::string, 7> facts_of(const TableContents& contents) {
 std::string checksum(const TableContents& contents) {
   std::string text;
   for (const std::string& one : facts_of(contents)) text += one + "\n";
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text + csv_rows(contents)) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001b3U;
-  }
-  std::string sum = "fnv1a:";
-  for (int shift = 60; shift >= 0; shift -= 4) sum += "0123456789abcdef"[(hash >> static_cast<unsigned>(shift)) & 15U];
-  return sum;
-}
-
-/// Reads a text line by line, and throws with the position.
-class Reader {
- public:
-  Reader(std::string_view text, std::string_view source) : rest_(text), source_(source) {}
-
-  [[nodiscard]] bool at_end() const { return rest_.empty(); }
-  [[nodiscard]] bool has_line() const { return rest_.find('\n') != std::string_view::npos; }
-
-  std::string_view line() {
-    ++line_;
-    const std::size_t end = rest_.find('\n');
-    if (end == std::string_view::npos) fail(rest_.size() + 1, "the text ends within a line: expected an end of line");
-    std::string_view text = rest_.substr(0, end);
-    rest_.remove_prefix(end + 1);
-    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-    return text;
-  }
-
-  [[noreturn]] void fail(std::size_t column, const std::string& what) const {
-    throw std::invalid_argument(std::string(source_) + ":" + std::to_string(std::max<std::size_t>(line_, 1)) + ":" +
-                                std::to_string(column) + ": " + what);
-  }
-
- private:
-  std::string_view rest_;
-  std::string_view source_;
-  std::size_t line_ = 0;
-};
-
-double number(const Reader& reader, std::string_view text, std::size_t column) {
-  const std::optional<double> value = parse_number(text);
-  if (!value) reader.fail(column, "expected a number, got '" + std::string(text) + "'");
-  return *value;
-}
-
-int whole_number(const Reader& reader, std::string_view text, std::size_t column) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) {
-    reader.fail(column, "expected a whole number, got '" + std::string(text) + "'");
-  }
-  return value;
-}
-
-/// The numbers of a row, after its side.
-Row read_row(const Reader& reader, std::string_view line) {
-  Row values{};
-  std::size_t begin = line.find(',') + 1;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool last = i + 1 == values.size();
-    const std::size_t end = last ? line.size() : line.find(',', begin);
-    if (begin == 0 || end == std::string_view::npos)
-      reader.fail(line.size() + 1, "expected the columns side," + std::string(piece_columns));
-    values[i] = number(reader, line.substr(begin, end - begin), begin + 1);
-    begin = end + 1;
-  }
-  return values;
-}
-
-/// The value in a comment line `# name: value`; nothing if the line is another.
-std::optional<std::string_view> fact(std::string_view line, std::string_view name) {
-  const std::string prefix = "# " + std::string(name) + ": ";
-  if (!line.starts_with(prefix)) return std::nullopt;
-  return line.substr(prefix.size());
+  return table::checksum_of(text + csv_rows(contents));
 }
 
 std::vector<TableCell> cells_of(const std::vector<Row>& rows, std::string_view side) {
@@ -240,50 +168,38 @@ std::string to_csv(const Table& table) {
 }
 
 Table read_table_csv(std::string_view text, std::string_view source) {
-  Reader reader(text, source);
-  std::string_view line = text.starts_with(title) ? reader.line() : "";
-  if (line != title) reader.fail(1, "not a table: expected the first line '" + std::string(title) + "'");
+  table::Reader reader(text, source);
+  reader.title(title);
   TableContents contents;
   std::string_view sum;
   for (const std::string_view name : fact_names) {
-    line = reader.line();
-    const std::optional<std::string_view> value = fact(line, name);
-    if (!value && fact(line, old_error_key)) reader.fail(3, old_key_message(contents.law, contents.tolerance));
-    if (!value) reader.fail(1, "expected '# " + std::string(name) + ": …'");
-    const std::size_t column = line.size() - value->size() + 1;
-    if (name == "law") contents.law = *value;
-    if (name == "tolerance") contents.tolerance = number(reader, *value, column);
-    if (name == "checked_error") contents.checked_error = number(reader, *value, column);
-    if (name == "index_bits") contents.index_bits = whole_number(reader, *value, column);
-    if (name == "octaves") contents.octaves = whole_number(reader, *value, column);
-    if (name == "linear_error") contents.linear_error = number(reader, *value, column);
-    if (name == "profile_error") contents.profile_error = number(reader, *value, column);
-    if (name == "checksum") sum = *value;
+    const auto [value, column] = reader.fact(name);
+    if (name == "law") contents.law = value;
+    if (name == "tolerance") contents.tolerance = reader.number(value, column);
+    if (name == "checked_error") contents.checked_error = reader.number(value, column);
+    if (name == "index_bits") contents.index_bits = reader.whole_number(value, column);
+    if (name == "octaves") contents.octaves = reader.whole_number(value, column);
+    if (name == "linear_error") contents.linear_error = reader.number(value, column);
+    if (name == "profile_error") contents.profile_error = reader.number(value, column);
+    if (name == "checksum") sum = value;
   }
-  do {
-    line = reader.line();
-  } while (line.starts_with("#"));
-  if (line != "side," + std::string(piece_columns))
-    reader.fail(1, "expected the header side," + std::string(piece_columns));
+  const std::string columns = "side," + std::string(piece_columns);
+  reader.header(columns);
   while (!reader.at_end()) {
-    line = reader.line();
+    const std::string_view line = reader.line();
     const std::string_view side = line.substr(0, line.find(','));
     if (side != "inside" && side != "outside")
       reader.fail(1, "expected inside or outside, got '" + std::string(side) + "'");
     const bool inside = side == "inside";
     if (inside && !contents.outside.empty())
       reader.fail(1, "a row inside the rim after rows outside: expected all rows inside first");
-    (inside ? contents.inside : contents.outside).push_back(read_row(reader, line));
+    reader.numbers(line, columns, 1, (inside ? contents.inside : contents.outside).emplace_back());
   }
   return table_of(contents, sum, source);
 }
 
 Table table_of(const TableContents& contents, std::string_view expected_checksum, std::string_view source) {
-  const std::string actual = checksum(contents);
-  if (actual != expected_checksum) {
-    throw std::invalid_argument(std::string(source) + ": the table was edited or damaged: its checksum is " +
-                                std::string(expected_checksum) + ", its contents have " + actual);
-  }
+  table::require_checksum(source, expected_checksum, checksum(contents));
   try {
     return Table({contents.law, contents.tolerance, contents.checked_error, contents.profile_error},
                  {.index_bits = contents.index_bits,
@@ -297,15 +213,7 @@ Table table_of(const TableContents& contents, std::string_view expected_checksum
 
 std::string to_json(const Table& table) {
   const TableContents contents = contents_of(table);
-  const auto quoted = [](std::string_view text) {
-    // Only the file name of samples can have a character that JSON escapes.
-    std::string escaped(1, '"');
-    for (const char c : text) {
-      if (c == '"' || c == '\\') escaped += '\\';
-      escaped += c;
-    }
-    return escaped + '"';
-  };
+  using table::quoted;
   std::string text = "{\n  \"format\": \"limitcurve table 2\"";
   const auto add = [&](std::string_view name, const std::string& value) {
     text.append(",\n  ").append(quoted(name)).append(": ").append(value);
