@@ -64,11 +64,20 @@ void refuse_one_centre(const internal::ContactResiduals::Ray& ray, const Solutio
   const bool spreads = with_sigma || ray.correlation * std::sqrt(count - 1.0) < -3.0;
   const double least = spreads ? std::max(2.0, 1.0 + 3.0 * std::sqrt(2.0 * unknown)) : 10.0;
   if (!(size * size < least * noise)) return;
+  // A robust size is that of most rows. The others are no gross errors if more of them lie on the curve than its free
+  // parameters can lead it through.
+  const double far = 3.0 * std::max(1.0, std::sqrt(noise));
+  std::size_t beside = 0;
+  for (std::size_t i = 0; robust && i < ray.distances.size(); ++i)
+    beside += std::fabs(ray.distances[i]) > far && std::fabs(solution.residuals[i]) < far ? 1 : 0;
+  if (beside >= solution.values.size()) return;
   throw std::invalid_argument(
-      "not identifiable from these samples: mu, mu_r (all slips turn about one centre of rotation, as far as their "
-      "noise tells, expected several centres); they give one point of the curve, not its two limits: moment/force = " +
+      "not identifiable from these samples: mu, mu_r (they are no set of slips). If the finger held in some of them "
+      "(rest, loading, letting go), leave those out or use --loss edge; if all are slips, they turn about one centre "
+      "of "
+      "rotation and give one point of the curve, moment/force = " +
       format_number(ray.ratio, 4) + " +- " + format_number(ray.ratio * ray.relative_error * std::sqrt(noise), 2) +
-      " m");
+      " m: add slips about others");
 }
 
 /// The fitted curve and its band: with q the curve's point in the normalised plane and N its normal, the standard error
@@ -136,7 +145,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   const int iterations = solution.iterations;
   solution = internal::minimise(residuals, parameters, loss);
   solution.iterations += iterations;
-  const double variance = preparation.with_sigma ? 1.0 : internal::residual_variance(solution);
+  const double variance = preparation.with_sigma ? 1.0 : robust ? 0.0 : internal::residual_variance(solution);
   refuse_one_centre(residuals.common_ray(solution.values), solution, noise, preparation.with_sigma, robust);
   const std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
   for (std::size_t j = 0; j < 2; ++j) {
@@ -234,11 +243,13 @@ std::string ContactModel::name() const {
 
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options) {
   return internal::fit_or_outlive_outliers(options, [&](const ContactFitOptions& with) {
-    const ContactPreparation preparation = internal::prepare(samples, with);
-    ContactFit fit = internal::fit_prepared(preparation, model, with);
-    internal::check_assumptions(fit, samples, model, with);
-    internal::test_scatter(fit, samples, preparation, with);
-    return fit;
+    return internal::fit_beside_holds(samples, with, [&](std::span<const Sample> some) {
+      const ContactPreparation preparation = internal::prepare(some, with);
+      ContactFit fit = internal::fit_prepared(preparation, model, with);
+      internal::check_assumptions(fit, some, model, with);
+      internal::test_scatter(fit, some, preparation, with);
+      return fit;
+    });
   });
 }
 

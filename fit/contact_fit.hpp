@@ -76,20 +76,21 @@ struct ContactFit {
 /// differs from the assumed γ by more than chance gives in one of 2000 data sets; the report warns of both. Cost: about
 /// 1 ms for 100 samples, and once per process 20 to 70 ms for each family with a free shape. Throws
 /// std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot determine
-/// (too few; all on an axis; no twist at all; all about one centre). warns of both.
+/// (too few; all on an axis; no twist at all; all about one centre). If a robust loss follows a long hold, the fit is
+/// repeated without it, with a warning.
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model,
                        const ContactFitOptions& options = {});
 
-/// The fits of all pressure laws, best first by AICc.
+/// The fits of all pressure laws, best first by AIC.
 struct LawSelection {
   std::vector<ContactFit> candidates;
-  /// AICc minus that of the best, in the order of the candidates: below 2 is not significant, above 10 is decisive.
+  /// AIC minus that of the best, in the order of the candidates: below 2 is not significant, above 10 is decisive.
   std::vector<double> aic_difference;
 };
 
 /// Fits flat-punch, uniform, hertz, parabolic, cone, gaussian:sigma=1 (its radius is σ) and the two families. The
 /// report of the best warns of every candidate that the data cannot distinguish from it. Its standard errors cover the
-/// noise, the choice of law, with Akaike's weights exp(−AICc/2) of the candidates' values, and, where the samples do
+/// noise, the choice of law, with Akaike's weights exp(−AIC/2) of the candidates' values, and, where the samples do
 /// not scatter evenly about the best curve, what a law that is none of these may be off by; for a mixture of two laws
 /// that is found with 100 slips of 2 % noise.
 LawSelection select_law(std::span<const Sample> samples, const ContactFitOptions& options = {});

@@ -28,8 +28,8 @@ struct FitReport {
   /// Number of residuals, and of free parameters.
   std::size_t residuals = 0;
   std::size_t free_parameters = 0;
-  /// Akaike's information criterion with the correction for few samples (AICc), up to a constant of the data: compare
-  /// only fits of the same data.
+  /// Akaike's information criterion up to a constant of the data: compare only fits of the same data. If the noise is
+  /// unknown it has the correction for few samples (AICc), and is ∞ where that is undefined.
   double aic = 0.0;
   bool converged = false;
   int iterations = 0;

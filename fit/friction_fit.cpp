@@ -60,7 +60,7 @@ std::vector<std::string> suspicious_units(const Patch& patch, std::span<const Pu
   double distance = 0.0;
   double turn = 0.0;
   std::vector<double> arms;  // moment over force, as a multiple of that of the patch
-  for (const auto& [wrench, moved] : pushes) {
+  for (const auto& [wrench, moved, row] : pushes) {
     distance = std::max(distance, std::hypot(moved.vx, moved.vy));
     turn = std::max(turn, std::fabs(moved.omega));
     const PatchWrench expected = patch.about_origin(moved).wrench;
@@ -93,7 +93,7 @@ std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push
   const double m0 = patch.moment_ratio();
   const PatchPoint centre = patch.centre();
   std::vector<PushFriction> found;
-  for (const auto& [wrench, twist] : pushes) {
+  for (const auto& [wrench, twist, row] : pushes) {
     const double vx = twist.vx - twist.omega * centre.y;
     const double vy = twist.vy + twist.omega * centre.x;
     const double power = (wrench.fx * twist.vx + wrench.fy * twist.vy + wrench.moment * twist.omega) / load;
@@ -125,8 +125,9 @@ FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, doubl
     ellipsoid.push_back(found[i].ellipsoid);
   }
   if (2 * against.size() > found.size()) {
-    throw std::invalid_argument("push " + std::to_string(against.front() + 1) + ": negative power, as in " +
-                                std::to_string(against.size()) + " of " + std::to_string(found.size()) +
+    throw std::invalid_argument("push " + std::to_string(internal::names_of(pushes, against).front()) +
+                                ": negative power, as in " + std::to_string(against.size()) + " of " +
+                                std::to_string(found.size()) +
                                 " pushes; expected the wrench on the patch, which points along the motion: is this the "
                                 "reaction, with the other "
                                 "sign?");
@@ -148,8 +149,8 @@ FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, doubl
     drift.value = drift.std_error = std::numeric_limits<double>::quiet_NaN();
   }
   if (!against.empty()) {
-    fit.warnings.insert(fit.warnings.begin(), internal::listed("push", "pushes", against) + " of " +
-                                                  std::to_string(found.size()) +
+    fit.warnings.insert(fit.warnings.begin(), internal::listed("push", "pushes", internal::names_of(pushes, against)) +
+                                                  " of " + std::to_string(found.size()) +
                                                   " (the first is 1): negative power, left out; did they slide?");
   }
   return fit;

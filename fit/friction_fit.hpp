@@ -14,6 +14,7 @@ namespace limitcurve::fit {
 struct Push {
   PatchWrench wrench;
   PatchTwist displacement;
+  std::size_t row = 0;  ///< the number by which messages name it; 0: its place, from 1
 };
 
 /// The result of one push.

@@ -44,6 +44,10 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   const std::size_t rows = std::min(samples.size(), options.rows_of_choice);
   const ContactPreparation preparation =
       rows < samples.size() ? internal::prepare(drawn(samples, rows), options) : of_all;
+  const std::size_t least = internal::least_rows_of_choice(options.fit_gamma ? 4 : 3, of_all.with_sigma);
+  if (rows < least)
+    throw std::invalid_argument(std::to_string(rows) + " samples are too few to choose a law, expected at least " +
+                                std::to_string(least) + ", or a law (--law)");
   LawSelection selection;
   const std::array<ContactModel, 8> models{ContactModel::of(flat_punch()),
                                            ContactModel::of(uniform()),
@@ -74,7 +78,7 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
     selection.aic_difference.push_back(difference);
     if (&candidate != &best && difference < 2.0) {
       rivals +=
-          (rivals.empty() ? "" : ", ") + candidate.model + " (AICc difference " + format_number(difference, 3) + ")";
+          (rivals.empty() ? "" : ", ") + candidate.model + " (AIC difference " + format_number(difference, 3) + ")";
     } else if (&candidate != &best && std::max(candidate.report.rms, best.report.rms) < internal::perfect) {
       ties += (ties.empty() ? "" : ", ") + candidate.model;
     }
@@ -93,7 +97,7 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   internal::check_assumptions(best, samples, models.at(order.front()), options);
   const std::string chosen_with =
       rows < samples.size() ? ", with " + std::to_string(rows) + " rows drawn evenly over load and slip" : "";
-  best.report.note = internal::note_of(best.model + " (best of " + std::to_string(models.size()) + " laws by AICc" +
+  best.report.note = internal::note_of(best.model + " (best of " + std::to_string(models.size()) + " laws by AIC" +
                                            chosen_with + "; the errors include the choice, but for n and k)",
                                        options, samples.size() - best.report.free_parameters, preparation.with_sigma);
   internal::test_scatter(best, samples, of_all, options);
@@ -108,8 +112,10 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
 }  // namespace
 
 LawSelection select_law(std::span<const Sample> samples, const ContactFitOptions& options) {
-  return internal::fit_or_outlive_outliers(options,
-                                           [&](const ContactFitOptions& with) { return select_by(samples, with); });
+  return internal::fit_or_outlive_outliers(options, [&](const ContactFitOptions& with) {
+    return internal::fit_beside_holds(samples, with,
+                                      [&](std::span<const Sample> some) { return select_by(some, with); });
+  });
 }
 
 }  // namespace limitcurve::fit

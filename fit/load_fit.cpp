@@ -130,7 +130,7 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
   const LoadResiduals residuals(data.rows, data.offset, fit_gamma, fixed_gamma(model), data.noise);
   // Linear in the logarithms: a regression line is a good start.
   const internal::Solution solution = internal::minimise(residuals, parameters, loss, 1e-18);
-  const double variance = data.with_sigma ? 1.0 : internal::residual_variance(solution);
+  const double variance = data.with_sigma ? 1.0 : robust ? 0.0 : internal::residual_variance(solution);
   const std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
   if (fit_gamma) internal::refuse_hidden(parameters.back(), covariance.back());
 
@@ -172,9 +172,11 @@ void check_assumptions(LoadFit& fit, const LoadSamples& samples, const Loss& los
     const std::vector<internal::Parameter> parameters = free_parameters(data, LoadModel::power);
     const LoadResiduals residuals(data.rows, data.offset, true, 0.0, data.noise);
     const internal::Solution solution = internal::minimise(residuals, parameters, Loss::cauchy());
-    internal::warn_of_outliers(fit.report, internal::outliers_of(solution, data.with_sigma, data.noise), loss);
+    const std::vector<std::size_t> outliers = internal::outliers_of(solution, data.with_sigma, data.noise);
+    internal::warn_of_outliers(fit.report, internal::names_of(samples.samples, outliers), loss);
     if (fit.model == LoadModel::power) return;
-    const std::vector<double> spread = internal::covariance(solution, parameters, Loss::cauchy(), 1.0);
+    const std::vector<double> spread =
+        internal::covariance(solution, parameters, Loss::cauchy(), data.with_sigma ? 1.0 : 0.0);
     internal::warn_of_growth(
         fit.report, fixed_gamma(fit.model), {"gamma", solution.values[1], std::sqrt(spread[3]), "1"},
         static_cast<double>(data.rows.size()) - 2.0, internal::root_mean_square(solution.residuals) * data.noise);
@@ -206,21 +208,32 @@ LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss) 
 LoadSelection select_load(const LoadSamples& samples, const Loss& loss) {
   const Preparation data = prepare(samples, loss);
   LoadSelection selection;
-  for (const LoadModel model : {LoadModel::linear, LoadModel::hertz, LoadModel::power}) {
-    selection.candidates.push_back(fit_prepared(data, model, loss));
+  const bool can_choose = data.rows.size() >= internal::least_rows_of_choice(2, data.with_sigma);
+  selection.candidates.push_back(fit_prepared(data, LoadModel::power, loss));
+  if (can_choose) {
+    for (const LoadModel model : {LoadModel::linear, LoadModel::hertz})
+      selection.candidates.push_back(fit_prepared(data, model, loss));
   }
+  const FitReport free = selection.candidates.front().report;
   std::stable_sort(selection.candidates.begin(), selection.candidates.end(),
                    [](const LoadFit& a, const LoadFit& b) { return a.report.aic < b.report.aic; });
   LoadFit& best = selection.candidates.front();
-  internal::include_choice(best.report, selection.candidates);
-  best.report.note += "; best of 3 by AICc, the errors include the choice";
+  best.report.note += can_choose ? "; best of 3 by AIC, the errors include the choice" : "; too few rows to choose";
+  if (best.model != LoadModel::power) {
+    // The power law contains the others: its errors, and how far the best is from it.
+    for (std::size_t i = 0; i < free.estimates.size(); ++i) {
+      Estimate& estimate = best.report.estimates[i];
+      estimate.std_error = std::hypot(free.estimates[i].std_error, free.estimates[i].value - estimate.value);
+    }
+    best.report.correlation = free.correlation;
+  }
   check_assumptions(best, samples, loss);
   for (const LoadFit& candidate : selection.candidates) {
     const double difference = candidate.report.aic - best.report.aic;
     selection.aic_difference.push_back(difference);
     if (&candidate != &best && difference < 2.0) {
       best.report.warnings.push_back(std::string("the data cannot distinguish ") + to_string(best.model) + " from " +
-                                     to_string(candidate.model) + " (AICc difference " +
+                                     to_string(candidate.model) + " (AIC difference " +
                                      format_number(std::round(difference * 100.0) / 100.0) + ")");
     }
   }

@@ -32,9 +32,10 @@ struct LoadFit {
 /// load).
 LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss = {});
 
-/// The fits of the three models, best first by AICc; `aic_difference` in the same order. The report of the best warns
-/// of every model that the data cannot distinguish from it (difference below 2). Its standard errors include the
-/// choice, as those of `select_law` do.
+/// The fits of the three models, best first by AIC; `aic_difference` in the same order. The report of the best warns
+/// of every model that the data cannot distinguish from it (difference below 2). Its standard errors are those of the
+/// power law, which contains the other two, and the difference from it. Too few rows for a choice (below 5 with sigmas,
+/// 6 without) give the power law alone.
 struct LoadSelection {
   std::vector<LoadFit> candidates;
   std::vector<double> aic_difference;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace limitcurve::fit {
@@ -14,6 +15,7 @@ struct Sample {
   /// Standard deviations [N], [N·m], > 0; or both 0 in all samples if unknown.
   double sigma_force = 0.0;
   double sigma_moment = 0.0;
+  std::size_t row = 0;  ///< the number by which messages name it, such as a line of a file; 0: its place, from 1
 };
 
 /// A contact radius, or the moment of a pure twist, at a load.
@@ -22,6 +24,7 @@ struct LoadSample {
   double load = 0.0;   ///< P [N], > 0
   double value = 0.0;  ///< radius [m] or moment [N·m], > 0
   double sigma = 0.0;  ///< standard deviation of the value, > 0; or 0 in all samples if unknown
+  std::size_t row = 0;
 };
 
 struct LoadSamples {

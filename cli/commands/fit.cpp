@@ -313,8 +313,8 @@ class Fit final : public Subcommand {
   [[nodiscard]] fit::ModelFit law_fit(const std::vector<fit::Sample>& samples) const {
     fit::LawSelection selection = fit::select_law(samples, settings_);
     for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
-      say("note", selection.candidates[i].model + ": AICc " + format_number(selection.aic_difference[i], 3) +
-                      " above the best");
+      say("note",
+          selection.candidates[i].model + ": AIC " + format_number(selection.aic_difference[i], 3) + " above the best");
     }
     fit::ContactFit& best = selection.candidates.front();
     return {best.model, std::move(best.report), std::nullopt, std::move(best.residuals)};
@@ -331,7 +331,7 @@ class Fit final : public Subcommand {
     }
     const fit::LoadSelection selection = fit::select_load(samples, settings_.loss);
     for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
-      say("note", std::string(fit::to_string(selection.candidates[i].model)) + ": AICc " +
+      say("note", std::string(fit::to_string(selection.candidates[i].model)) + ": AIC " +
                       format_number(selection.aic_difference[i], 3) + " above the best");
     }
     if (wanted == "best") return {"load", selection.candidates.front().report, std::nullopt};

@@ -35,7 +35,7 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
       const ContactResiduals residuals(preparation.samples, *curve, layout);
       const Loss loss = approach(residuals, parameters, robust.loss);
       const Solution solution = minimise(residuals, parameters, loss, coarse_tolerance);
-      const std::vector<double> spread = covariance(solution, parameters, loss, 1.0);
+      const std::vector<double> spread = covariance(solution, parameters, loss, preparation.with_sigma ? 1.0 : 0.0);
       if (fit_gamma) {
         gamma.value = solution.values.back();
         gamma.std_error = std::sqrt(spread.back());
@@ -48,7 +48,7 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
       gamma.value = options.gamma;
     }
   }
-  warn_of_outliers(fit.report, fit.outliers, options.loss);
+  warn_of_outliers(fit.report, names_of(samples, fit.outliers), options.loss);
   if (!options.fit_gamma) warn_of_growth(fit.report, options.gamma, gamma, spare, rms);
 }
 
@@ -122,6 +122,126 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, const Contac
         (curved > most_curved ? "Force and moment have errors so unequal that the curve bends within one of them"
                               : "Another pressure law, or a wrong zero of the sensor?"));
   }
+}
+
+namespace {
+
+/// How far each sample is from the curve of a fit, in standard deviations along its ray, and the ray.
+struct Placed {
+  double distance;
+  double angle;  ///< polar, in the normalised plane
+};
+std::vector<Placed> place(std::span<const Sample> samples, const ContactFit& fit, double gamma) {
+  for (const Estimate& estimate : fit.report.estimates) {
+    if (estimate.name == "gamma") gamma = estimate.value;
+  }
+  const double mu = fit.report.estimates[0].value;
+  const double mu_r = fit.report.estimates[1].value;
+  // Of residuals in the typical error.
+  const double unit = fit.report.rms / std::max(root_mean_square(fit.residuals), 1e-300);
+  std::vector<Placed> placed;
+  for (const Sample& sample : samples) {
+    const double force = std::fabs(sample.force) / (mu * sample.load);
+    const double moment = std::fabs(sample.moment) / (mu_r * std::pow(sample.load, 1.0 + gamma));
+    const double angle = std::atan2(moment, force);
+    // The band's points are those of the curve, from slide to twist.
+    const auto beyond = std::partition_point(fit.band.begin() + 1, fit.band.end() - 1, [&](const auto& point) {
+      return point.moment / mu_r * std::cos(angle) < point.force / mu * std::sin(angle);
+    });
+    const auto& low = *(beyond - 1);
+    const double normal_x = (beyond->moment - low.moment) / mu_r;
+    const double normal_y = (low.force - beyond->force) / mu;
+    const double size =
+        (force * normal_x + moment * normal_y) / (low.force / mu * normal_x + low.moment / mu_r * normal_y);
+    const double noise =
+        sample.sigma_force > 0.0
+            ? std::hypot(std::cos(angle) * sample.sigma_force / (mu * sample.load),
+                         std::sin(angle) * sample.sigma_moment / (mu_r * std::pow(sample.load, 1.0 + gamma)))
+            : unit;
+    placed.push_back({(size - 1.0) / std::max(noise, perfect), angle});
+  }
+  return placed;
+}
+
+double scatter_of(std::span<const double> residuals) {
+  return std::max(1.0, 1.4826 * median_size({residuals.begin(), residuals.end()}));
+}
+
+/// In how many of twelve directions of slip two rows or more are within three standard deviations of the curve.
+std::size_t directions(const std::vector<Placed>& placed, double scatter) {
+  std::array<std::size_t, 12> rows{};
+  for (const Placed& one : placed) {
+    if (std::fabs(one.distance) < 3.0 * scatter)
+      ++rows.at(std::min<std::size_t>(static_cast<std::size_t>(one.angle * 7.64), 11));
+  }
+  return static_cast<std::size_t>(std::ranges::count_if(rows, [](std::size_t count) { return count >= 2; }));
+}
+
+}  // namespace
+
+std::vector<std::size_t> rows_held(std::span<const Sample> samples, const ContactFit& fit, double gamma,
+                                   const std::function<ContactFit(std::span<const Sample>)>& refit) {
+  constexpr double far = 4.0;
+  constexpr double many = 0.03;
+  std::vector<Placed> placed = place(samples, fit, gamma);
+  double scatter = scatter_of(fit.residuals);
+  const std::size_t before = directions(placed, scatter);
+  const auto inside_of = [&](double bound) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      if (placed[i].distance < bound * scatter) places.push_back(i);
+    }
+    return places;
+  };
+  const auto outside = [&] { return static_cast<double>(samples.size() - inside_of(far).size()); };
+  const double most = many * static_cast<double>(samples.size());
+  if (!(outside() > most)) return {};
+  // Begins with the outermost rows, and takes in what lies on their curve.
+  std::vector<std::size_t> held = inside_of(far);
+  constexpr int most_passes = 10;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    try {
+      const ContactFit outermost = refit(without(samples, held));
+      placed = place(samples, outermost, gamma);
+      scatter = scatter_of(outermost.residuals);
+    } catch (const std::invalid_argument&) {
+      return {};
+    }
+    const std::vector<std::size_t> inside = inside_of(-far);
+    if (inside == held) break;
+    held = inside;
+  }
+  if (outside() > most || directions(placed, scatter) <= before) return {};
+  return held;
+}
+
+std::vector<Sample> without(std::span<const Sample> samples, const std::vector<std::size_t>& places) {
+  std::vector<Sample> others;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (std::ranges::binary_search(places, i)) continue;
+    others.push_back(samples[i]);
+    if (samples[i].row == 0) others.back().row = i + 1;
+  }
+  return others;
+}
+
+void include_held(ContactFit& fit, std::span<const Sample> samples, double gamma,
+                  const std::vector<std::size_t>& held) {
+  const std::vector<Placed> placed = place(samples, fit, gamma);
+  std::vector<double> residuals;
+  std::vector<std::size_t> outliers;
+  std::size_t other = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const bool is_held = std::ranges::binary_search(held, i);
+    if (is_held || std::ranges::binary_search(fit.outliers, other)) outliers.push_back(i);
+    residuals.push_back(is_held ? placed[i].distance : fit.residuals[other++]);
+  }
+  fit.residuals = std::move(residuals);
+  fit.outliers = std::move(outliers);
+  fit.report.warnings.push_back(listed("row", "rows", names_of(samples, held)) + " of " +
+                                std::to_string(samples.size()) +
+                                " (the first is 1): left out, for the finger held: by a curve through them the other "
+                                "rows would lie outside, where nothing can be");
 }
 
 std::string note_of(const std::string& model, const ContactFitOptions& options, std::size_t spare, bool with_sigma) {

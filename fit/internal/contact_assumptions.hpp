@@ -4,11 +4,13 @@
 #include "fit/contact_fit.hpp"
 #include "fit/internal/contact_preparation.hpp"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 /// The assumptions of a fit to samples, and tests of them.
 namespace limitcurve::fit::internal {
@@ -36,11 +38,40 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, const Contac
 /// The note beside each estimate: the model and its assumptions; `spare` rows more than parameters.
 std::string note_of(const std::string& model, const ContactFitOptions& options, std::size_t spare, bool with_sigma);
 
+/// Rows below the limits in which the finger held, if a robust `fit` (its own best, of `refit`) follows them: more than
+/// 3 % of the rows lie outside its curve by more than 4 standard deviations, where no hold can be, and the curve of the
+/// outermost rows agrees with rows in more directions of slip, for a long hold is one direction. Empty otherwise.
+/// `gamma` is that assumed.
+std::vector<std::size_t> rows_held(std::span<const Sample> samples, const ContactFit& fit, double gamma,
+                                   const std::function<ContactFit(std::span<const Sample>)>& refit);
+
+/// The fit of the other rows, as one of all: residuals of the rows held, which count as outliers, and a warning.
+void include_held(ContactFit& fit, std::span<const Sample> samples, double gamma, const std::vector<std::size_t>& held);
+
+/// The samples at the places that `places` does not list.
+std::vector<Sample> without(std::span<const Sample> samples, const std::vector<std::size_t>& places);
+
 inline ContactFit& best_of(ContactFit& fit) noexcept {
   return fit;
 }
 inline ContactFit& best_of(LawSelection& selection) noexcept {
   return selection.candidates.front();
+}
+
+/// Calls `fit(samples)`, which returns a ContactFit or LawSelection, and again without the rows that were held.
+template <class Fit>
+auto fit_beside_holds(std::span<const Sample> samples, const ContactFitOptions& options, const Fit& fit) {
+  auto found = fit(samples);
+  if (options.loss.kind == Loss::Kind::squared) return found;
+  const std::vector<std::size_t> held =
+      rows_held(samples, best_of(found), options.gamma, [&](std::span<const Sample> some) {
+        auto again = fit(some);
+        return best_of(again);
+      });
+  if (held.empty()) return found;
+  found = fit(without(samples, held));
+  include_held(best_of(found), samples, options.gamma, held);
+  return found;
 }
 
 /// Calls `fit(options)`, which returns a ContactFit or LawSelection. If gross outliers leave the squared loss without a

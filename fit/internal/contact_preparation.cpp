@@ -123,13 +123,14 @@ Limits starting_limits(std::span<const Sample> samples, double gamma, double ref
   return best;
 }
 
-std::vector<WeightedSample> weigh(std::span<const Sample> samples, bool with_sigma, Limits limits, double noise,
-                                  double reference_load) {
+std::vector<WeightedSample> weigh(std::span<const Sample> samples, bool with_sigma, Limits limits, double gamma,
+                                  double noise, double reference_load) {
   std::vector<WeightedSample> weighted;
   weighted.reserve(samples.size());
   for (const Sample& sample : samples) {
     const double sigma_force = noise * (with_sigma ? sample.sigma_force : limits.force * sample.load);
-    const double sigma_moment = noise * (with_sigma ? sample.sigma_moment : limits.moment * sample.load);
+    const double growth = std::pow(sample.load / reference_load, gamma);
+    const double sigma_moment = noise * (with_sigma ? sample.sigma_moment : limits.moment * sample.load * growth);
     weighted.push_back({std::fabs(sample.force) / sigma_force, std::fabs(sample.moment) / sigma_moment,
                         sample.load / sigma_force, sample.load / sigma_moment, std::log(sample.load / reference_load)});
   }
@@ -211,20 +212,23 @@ ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOpti
   const std::unique_ptr<UnitCurve> curve = robust ? make_flexible() : make_ellipse();
   const ContactLayout layout{robust, options.fit_gamma, options.gamma};
   const int passes = preparation.with_sigma ? 0 : robust ? 2 : 1;
+  double gamma = options.gamma;
   for (int pass = 0; pass < passes; ++pass) {
-    const auto weighted = weigh(samples, false, preparation.start, preparation.noise, preparation.reference_load);
+    const auto weighted =
+        weigh(samples, false, preparation.start, gamma, preparation.noise, preparation.reference_load);
     const ContactResiduals residuals(weighted, *curve, layout);
     const std::vector<Parameter> parameters =
         free_parameters(*curve, layout, {ContactModel::Kind::ellipse}, preparation.start);
     const Loss loss = pass == 0 && robust ? Loss::cauchy(0.05) : options.loss;
     const Solution solution = internal::minimise(residuals, parameters, loss, internal::coarse_tolerance);
     preparation.start = {std::exp(solution.values[0]), std::exp(solution.values[1])};
+    if (options.fit_gamma) gamma = solution.values.back();
     if (robust) {
       preparation.noise *= std::max(1.4826 * median_size(solution.residuals), 1e-9);
     }
   }
   preparation.samples =
-      weigh(samples, preparation.with_sigma, preparation.start, preparation.noise, preparation.reference_load);
+      weigh(samples, preparation.with_sigma, preparation.start, gamma, preparation.noise, preparation.reference_load);
   return preparation;
 }
 

@@ -7,13 +7,13 @@
 #include <ceres/loss_function.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
-#include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -111,6 +111,8 @@ ceres::Solver::Options quiet_options(double tolerance) {
   options.minimizer_progress_to_stdout = false;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = 200;
+  // At the minimum of exact data rounding makes steps invalid. Ceres would report several in a row on standard error.
+  options.max_num_consecutive_invalid_steps = 1000;
   // The defaults (1e-6, 1e-10, 1e-8) are too coarse for noise-free data.
   options.function_tolerance = tolerance;
   options.gradient_tolerance = 1e-18;
@@ -183,6 +185,26 @@ Descent descent_of(const Solution& solution, std::size_t parameter, const Loss& 
   }
   if (curvature > 0.0) descent.gain = descent.slope * descent.slope / (2 * curvature);
   return descent;
+}
+
+/// The variance of a residual that gives the same covariance by least squares (Huber 1981, Robust Statistics,
+/// eq. 7.6.5): K² [Σψ²/(n − p)] / mean(ψ′)², K = 1 + (p/n) var(ψ′)/mean(ψ′)². It is one number for all rows: a sandwich
+/// of each row's own ψ² is 0 for a row that alone determines a parameter, because that row has no residual.
+double pooled_variance(const Solution& solution, const Loss& loss) {
+  const auto count = static_cast<double>(solution.residuals.size());
+  const auto free = static_cast<double>(solution.values.size());
+  double filling = 0.0;
+  double slope = 0.0;
+  double slope_square = 0.0;
+  for (const double residual : solution.residuals) {
+    const Influence pull = influence(loss, residual);
+    filling += pull.value * pull.value;
+    slope += pull.slope / count;
+    slope_square += pull.slope * pull.slope / count;
+  }
+  if (!(slope > 0.0)) return std::numeric_limits<double>::infinity();
+  const double few = 1.0 + free / count * (slope_square / (slope * slope) - 1.0);
+  return few * few * filling / std::max(1.0, count - free) / (slope * slope);
 }
 
 }  // namespace
@@ -265,23 +287,9 @@ std::vector<double> covariance(const Solution& solution, std::span<const Paramet
     throw std::invalid_argument("not identifiable from these samples: " + names);
   }
 
-  Eigen::MatrixXd bread = Eigen::MatrixXd::Zero(free, free);
-  Eigen::MatrixXd filling = Eigen::MatrixXd::Zero(free, free);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Influence pull = influence(loss, solution.residuals[static_cast<std::size_t>(i)]);
-    const Eigen::VectorXd row = scaled.row(i);
-    bread += pull.slope * row * row.transpose();
-    filling += pull.value * pull.value * row * row.transpose();
-  }
-  RowMatrix result;
-  if (loss.kind == Loss::Kind::squared) {
-    result = variance * svd.matrixV() * svd.singularValues().array().square().inverse().matrix().asDiagonal() *
-             svd.matrixV().transpose();
-  } else {
-    const Eigen::MatrixXd inverse = bread.inverse();
-    const double few = static_cast<double>(count) / std::max(1.0, static_cast<double>(count - free));
-    result = few * inverse * filling * inverse;
-  }
+  if (loss.kind != Loss::Kind::squared) variance = std::max(variance, pooled_variance(solution, loss));
+  RowMatrix result = variance * svd.matrixV() * svd.singularValues().array().square().inverse().matrix().asDiagonal() *
+                     svd.matrixV().transpose();
   result = (length.cwiseInverse().asDiagonal() * result * length.cwiseInverse().asDiagonal()).eval();
   return {result.data(), result.data() + result.size()};
 }

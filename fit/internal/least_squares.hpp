@@ -56,11 +56,11 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
 /// ½ Σ loss(residual²) with a loss that may differ from the minimised one.
 double cost_of(const Solution& solution, const Loss& loss);
 
-/// Covariance of the parameters, row by row: (JᵀJ)⁻¹ for plain least squares, the sandwich
-/// (Σψ′ggᵀ)⁻¹ (Σψ²ggᵀ) (Σψ′ggᵀ)⁻¹ for a robust loss. `variance` is that of one residual (1 if residuals are already in
-/// units of their standard deviation). Throws std::invalid_argument with the names of the parameters that the samples
-/// do not determine: a column of the Jacobian, or a singular value of it with columns of unit length, below 1e-9 of the
-/// largest.
+/// Covariance of the parameters, row by row: σ²(JᵀJ)⁻¹. For plain least squares σ² is `variance`, that of one residual
+/// (1 if residuals are already in units of their standard deviation). For a robust loss it is Huber's estimate from all
+/// influences ψ, but at least `variance` (0 if the noise is unknown). Throws std::invalid_argument with the names of
+/// the parameters that the samples do not determine: a column of the Jacobian, or a singular value of it with columns
+/// of unit length, below 1e-9 of the largest.
 std::vector<double> covariance(const Solution& solution, std::span<const Parameter> parameters, const Loss& loss,
                                double variance);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace limitcurve::fit::internal {
 
@@ -85,9 +86,10 @@ double akaike(double cost, std::size_t residuals, std::size_t free_parameters, b
   const double p = static_cast<double>(free_parameters) + (known_variance ? 0.0 : 1.0);
   const double chi_square = std::max(2.0 * cost, n * perfect * perfect);
   const double misfit = known_variance ? chi_square : n * std::log(chi_square / n);
-  // The correction is undefined if there are as few samples as parameters; use plain AIC.
-  const double few = n - p - 1.0 > 0.0 ? 2.0 * p * (p + 1.0) / (n - p - 1.0) : 0.0;
-  return misfit + 2.0 * p + few;
+  if (known_variance) return misfit + 2.0 * p;
+  // So few samples say nothing of a model with so many parameters.
+  if (!(n - p - 1.0 > 0.0)) return std::numeric_limits<double>::infinity();
+  return misfit + 2.0 * p + 2.0 * p * (p + 1.0) / (n - p - 1.0);
 }
 
 }  // namespace limitcurve::fit::internal

@@ -4,6 +4,7 @@
 #include "fit/estimate.hpp"
 #include "fit/internal/least_squares.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <stdexcept>
@@ -43,36 +44,65 @@ void set_estimates(FitReport& report, std::span<const Quantity> quantities, std:
 /// Residuals below this, in units of the limits or of standard deviations, are rounding: the curves are exact to 1e-11.
 inline constexpr double perfect = 1e-10;
 
-/// AICc of a fit whose residuals r have known unit variance (`known_variance`), χ² + 2p + …, or a common unknown one, N
-/// log(χ²/N) + 2(p+1) + …. `cost` is ½ Σ loss(r²). Residuals below `perfect` count as `perfect`: perfect fits then
-/// differ only in their number of parameters.
+/// Akaike's criterion of a fit whose residuals r have known unit variance (`known_variance`), χ² + 2p, or a common
+/// unknown one, N log(χ²/N) + 2(p+1) with the correction for few samples (AICc), ∞ where that is undefined. `cost` is
+/// ½ Σ loss(r²). Residuals below `perfect` count as `perfect`: perfect fits then differ only in their number of
+/// parameters.
 double akaike(double cost, std::size_t residuals, std::size_t free_parameters, bool known_variance) noexcept;
 
 /// What a note says of few rows whose scatter is the only measure of noise: "" from 30 rows more than parameters on.
 std::string note_of_few_rows(std::size_t spare);
 
-/// The standard errors of a chosen model include the choice: with Akaike's weights w ∝ exp(−AICc/2) (Buckland, Burnham
-/// & Augustin 1997, Biometrics 53:603–618), for each quantity of all candidates, se² = Σ w (se_i² + (value_i − value)²)
-/// about the value of the best. A candidate without a value for a quantity is left out; the shapes n and k are.
+/// To choose between models of up to `free` parameters takes three rows more; an unknown noise is one parameter more.
+inline std::size_t least_rows_of_choice(std::size_t free, bool known_variance) noexcept {
+  return free + (known_variance ? 3 : 4);
+}
+
+/// The covariances of a chosen model include the choice: with Akaike's weights w ∝ exp(−AIC/2) (Buckland, Burnham &
+/// Augustin 1997, Biometrics 53:603–618), for each pair of quantities of all candidates, Σ w (cov_i + δ_i δ_iᵀ), δ_i
+/// the difference from the value of the best. A candidate without a value for a quantity is left out; the shapes n and
+/// k are.
 template <class Fit>
 void include_choice(FitReport& report, const std::vector<Fit>& candidates) {
-  const std::size_t count = report.estimates.size();
+  const std::vector<Estimate> best = report.estimates;
+  const std::size_t count = best.size();
+  const auto is_shared = [](const Estimate& one) {
+    return one.name != "n" && one.name != "k" && std::isfinite(one.value) && std::isfinite(one.std_error);
+  };
+  std::vector<double> covariances(count * count);
   for (std::size_t i = 0; i < count; ++i) {
-    Estimate& estimate = report.estimates[i];
-    double sum = 0.0;
-    double variance = 0.0;
-    for (const Fit& candidate : candidates) {
-      for (const Estimate& other : candidate.report.estimates) {
-        if (other.name != estimate.name || !std::isfinite(other.value) || !std::isfinite(other.std_error)) continue;
-        const double weight = std::exp(0.5 * (report.aic - candidate.report.aic));
-        sum += weight;
-        variance += weight * (other.std_error * other.std_error +
-                              (other.value - estimate.value) * (other.value - estimate.value));
+    for (std::size_t j = 0; j < count; ++j) {
+      covariances[i * count + j] = report.correlation[i * count + j] * best[i].std_error * best[j].std_error;
+      if (!is_shared(best[i]) || !is_shared(best[j])) continue;
+      double sum = 0.0;
+      double covariance = 0.0;
+      for (const Fit& candidate : candidates) {
+        const std::vector<Estimate>& others = candidate.report.estimates;
+        for (std::size_t a = 0; a < others.size(); ++a) {
+          for (std::size_t b = 0; b < others.size(); ++b) {
+            if (others[a].name != best[i].name || others[b].name != best[j].name) continue;
+            if (!is_shared(others[a]) || !is_shared(others[b])) continue;
+            const double weight = std::exp(0.5 * (report.aic - candidate.report.aic));
+            const double correlation = a == b ? 1.0 : candidate.report.correlation[a * others.size() + b];
+            sum += weight;
+            covariance += weight * (correlation * others[a].std_error * others[b].std_error +
+                                    (others[a].value - best[i].value) * (others[b].value - best[j].value));
+          }
+        }
       }
+      if (sum > 0.0) covariances[i * count + j] = covariance / sum;
     }
-    const bool is_shape = estimate.name == "n" || estimate.name == "k";
-    if (!is_shape && std::isfinite(estimate.value) && sum > 0.0) estimate.std_error = std::sqrt(variance / sum);
-    if (estimate.std_error > 0.0) report.correlation[i * count + i] = 1.0;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_shared(best[i])) report.estimates[i].std_error = std::sqrt(covariances[i * count + i]);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      const double scale = report.estimates[i].std_error * report.estimates[j].std_error;
+      const double correlation = i == j ? 1.0 : covariances[i * count + j] / scale;
+      report.correlation[i * count + j] =
+          std::isfinite(scale) && scale > 0.0 ? std::clamp(correlation, -1.0, 1.0) : 0.0;
+    }
   }
 }
 

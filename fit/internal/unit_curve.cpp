@@ -102,7 +102,10 @@ class LawCurve final : public UnitCurve {
   // The slip twist is the normal, dm/df = −s: in the normalised plane the tangent is (−m₀w, v).
   Place at(double t) const noexcept override { return {curve_.at(t), {-curve_.moment_ratio() * t, 1.0 - t}}; }
   PlanePoint shape_slope(double t) const noexcept override { return curve_.shape_slope(t); }
-  double guess(PlanePoint ray) const noexcept override { return ray.y / (curve_.moment_ratio() * ray.x + ray.y); }
+  double guess(PlanePoint ray) const noexcept override {
+    const double sum = curve_.moment_ratio() * ray.x + ray.y;
+    return sum > 0.0 ? ray.y / sum : 0.0;
+  }
   double moment_ratio() const noexcept override { return curve_.moment_ratio(); }
   double moment_ratio_slope() const noexcept override { return curve_.moment_ratio_slope(); }
 

@@ -15,7 +15,7 @@ std::string listed(const char* one, const char* several, const std::vector<std::
   constexpr std::size_t most = 12;
   std::string text = places.size() == 1 ? one : several;
   for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
-    text += (i == 0 ? " " : ", ") + std::to_string(places[i] + 1);
+    text += (i == 0 ? " " : ", ") + std::to_string(places[i]);
   return places.size() > most ? text + " and " + std::to_string(places.size() - most) + " more" : text;
 }
 
@@ -36,10 +36,10 @@ std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, do
   return rows;
 }
 
-void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& outliers, const Loss& loss) {
-  if (outliers.empty()) return;
+void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& rows, const Loss& loss) {
+  if (rows.empty()) return;
   report.warnings.push_back(
-      listed("row", "rows", outliers) + " of " + std::to_string(report.residuals) +
+      listed("row", "rows", rows) + " of " + std::to_string(report.residuals) +
       " (the first is 1): gross outliers; mislabelled, or taken while the finger held?" +
       (loss.kind == Loss::Kind::squared ? " The squared loss follows them; Cauchy's does not" : ""));
 }

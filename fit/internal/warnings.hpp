@@ -13,8 +13,15 @@
 /// Warnings about a fit.
 namespace limitcurve::fit::internal {
 
-/// "row 3", or "rows 3, 17 and 2 more": places counted from 1.
+/// "row 3", or "rows 3, 17 and 2 more".
 std::string listed(const char* one, const char* several, const std::vector<std::size_t>& places);
+
+/// The numbers by which messages name the samples at these places (0 is the first).
+template <class Samples>
+std::vector<std::size_t> names_of(const Samples& samples, std::vector<std::size_t> places) {
+  for (std::size_t& place : places) place = samples[place].row > 0 ? samples[place].row : place + 1;
+  return places;
+}
 
 /// Rows whose distance from the curve of a robust fit is larger than the scatter of the others explains: a normal error
 /// reaches it in one of 200 data sets. `noise` is the unit of the residuals, in limits. The scatter comes from the
@@ -22,8 +29,8 @@ std::string listed(const char* one, const char* several, const std::vector<std::
 /// gross.
 std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, double noise);
 
-/// Adds a warning with the outliers (0 is the first row), if any, of a fit with `loss`.
-void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& outliers, const Loss& loss);
+/// Adds a warning with the outliers, if any, of a fit with `loss`.
+void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& rows, const Loss& loss);
 
 /// Warns if more than 5 % of the rows lie inside the curve by more than half of the limits (`distances` from it are
 /// relative to them). Rows that were taken while the finger held are no slips.

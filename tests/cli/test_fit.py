@@ -241,7 +241,7 @@ class Fit(CommandLineTest):
             (["ratio", "--data", data, "--gamma",
               "0.257"], "hertz; gamma = 0.257 assumed; squared loss; errors proportional to the load assumed"),
             (["law", "--data", data, "--fit-gamma", "--loss", "huber"],
-             "uniform (best of 8 laws by AICc; the errors include the choice, but for n and k); gamma fitted; huber "
+             "uniform (best of 8 laws by AIC; the errors include the choice, but for n and k); gamma fitted; huber "
              "loss; errors proportional to the load assumed"
              )
         ]:

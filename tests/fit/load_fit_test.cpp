@@ -145,7 +145,7 @@ TEST(LoadFit, ChoosesTheModelThatMadeTheData) {
     }
     return right;
   };
-  // AICc takes a free exponent where a fixed one is true in 16 % of cases, by its construction.
+  // AIC takes a free exponent where a fixed one is true in 16 % of cases, by its construction.
   EXPECT_GE(share(0.0, LoadModel::linear), 74);
   EXPECT_GE(share(1.0 / 3.0, LoadModel::hertz), 74);
   EXPECT_EQ(share(0.2, LoadModel::power), 100);
