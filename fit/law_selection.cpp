@@ -44,7 +44,7 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   const std::size_t rows = std::min(samples.size(), options.rows_of_choice);
   const ContactPreparation preparation =
       rows < samples.size() ? internal::prepare(drawn(samples, rows), options) : of_all;
-  const std::size_t least = internal::least_rows_of_choice(options.fit_gamma ? 4 : 3, of_all.with_sigma);
+  const std::size_t least = internal::least_rows_of_choice(options.fit_gamma ? 4 : 3);
   if (rows < least)
     throw std::invalid_argument(std::to_string(rows) + " samples are too few to choose a law, expected at least " +
                                 std::to_string(least) + ", or a law (--law)");

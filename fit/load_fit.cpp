@@ -208,7 +208,7 @@ LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss) 
 LoadSelection select_load(const LoadSamples& samples, const Loss& loss) {
   const Preparation data = prepare(samples, loss);
   LoadSelection selection;
-  const bool can_choose = data.rows.size() >= internal::least_rows_of_choice(2, data.with_sigma);
+  const bool can_choose = data.rows.size() >= internal::least_rows_of_choice(2);
   selection.candidates.push_back(fit_prepared(data, LoadModel::power, loss));
   if (can_choose) {
     for (const LoadModel model : {LoadModel::linear, LoadModel::hertz})

@@ -34,8 +34,8 @@ LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss =
 
 /// The fits of the three models, best first by AIC; `aic_difference` in the same order. The report of the best warns
 /// of every model that the data cannot distinguish from it (difference below 2). Its standard errors are those of the
-/// power law, which contains the other two, and the difference from it. Too few rows for a choice (below 5 with sigmas,
-/// 6 without) give the power law alone.
+/// power law, which contains the other two, and the difference from it. Fewer than 5 rows are too few
+/// for a choice, and give the power law.
 struct LoadSelection {
   std::vector<LoadFit> candidates;
   std::vector<double> aic_difference;

@@ -248,7 +248,7 @@ std::string note_of(const std::string& model, const ContactFitOptions& options, 
   return model + "; gamma " +
          (options.fit_gamma ? std::string("fitted") : "= " + format_number(options.gamma) + " assumed") + "; " +
          to_string(options.loss.kind) + " loss" + (with_sigma ? "" : "; errors proportional to the load assumed") +
-         (with_sigma && options.loss.kind == Loss::Kind::squared ? "" : note_of_few_rows(spare));
+         (with_sigma ? "" : note_of_few_rows(spare));
 }
 
 }  // namespace limitcurve::fit::internal

@@ -53,9 +53,9 @@ double akaike(double cost, std::size_t residuals, std::size_t free_parameters, b
 /// What a note says of few rows whose scatter is the only measure of noise: "" from 30 rows more than parameters on.
 std::string note_of_few_rows(std::size_t spare);
 
-/// To choose between models of up to `free` parameters takes three rows more; an unknown noise is one parameter more.
-inline std::size_t least_rows_of_choice(std::size_t free, bool known_variance) noexcept {
-  return free + (known_variance ? 3 : 4);
+/// So few rows a choice between models of up to `free` parameters takes: AICc is defined from there on.
+constexpr std::size_t least_rows_of_choice(std::size_t free) noexcept {
+  return free + 3;
 }
 
 /// The covariances of a chosen model include the choice: with Akaike's weights w ∝ exp(−AIC/2) (Buckland, Burnham &

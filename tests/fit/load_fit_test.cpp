@@ -3,6 +3,7 @@
 
 #include "tests/complaint.hpp"
 #include "tests/fit/synthetic.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -130,6 +131,33 @@ TEST(LoadFit, RobustLossOutlivesGrossOutliers) {
   // Probability 0.91 for independent estimates: 84 or more of 100 in 99 % of cases.
   EXPECT_GE(within, 84);
   EXPECT_LE(plain_within, 50);
+}
+
+/// Few rows, of a growth that no fixed model has: the intervals of a robust loss, and of a choice, hold the truth.
+TEST(LoadFit, FewRowsAreCovered) {
+  const int sets = study_cases(400);
+  for (const std::size_t rows : {3U, 5U, 8U}) {
+    int robust = 0;
+    int chosen = 0;
+    for (int seed = 0; seed < sets; ++seed) {
+      Random random(static_cast<std::uint64_t>(500 + seed));
+      const LoadSamples samples = make(LoadSamples::Quantity::radius, 4e-3, 0.26, 0.05, true, rows, random);
+      const auto covers = [](const FitReport& report) {
+        const Estimate& gamma = report.at("gamma");
+        return std::fabs(gamma.value - 0.26) <= 1.959964 * gamma.std_error;
+      };
+      try {
+        robust += covers(fit_load(samples, LoadModel::power, seed % 2 == 0 ? Loss::huber() : Loss::cauchy()).report);
+        chosen += covers(select_load(samples).candidates.front().report);
+      } catch (const std::invalid_argument&) {  // loads that hardly differ
+        ++robust;
+        ++chosen;
+      }
+    }
+    const double least = 0.95 * sets - 3 * 0.218 * std::sqrt(sets);
+    EXPECT_GE(robust, least) << rows;
+    EXPECT_GE(chosen, least) << rows;
+  }
 }
 
 TEST(LoadFit, ChoosesTheModelThatMadeTheData) {

@@ -179,5 +179,100 @@ TEST(Robustness, DefaultScalesCostFivePercentOfEfficiency) {
   }
 }
 
+/// Slips about random centres at 1 N and `few` more at 3 N, which alone tell gamma.
+std::vector<Sample> at_two_loads(int many, int few, bool tell, Random& random) {
+  const Truth truth{0.8, 0.005, 0.26};
+  const double mu_r = truth.mu * truth.radius * hertz()->moment_ratio();
+  const synthetic::Curve curve = synthetic::curve_of(hertz());
+  std::vector<Sample> samples;
+  for (int i = 0; i < many + few; ++i) {
+    const double load = i < many ? 1.0 : 3.0;
+    const double spin = random.uniform(0.02, 0.98);
+    const UnitWrench wrench = curve((1.0 - spin) / spin);
+    std::vector<Sample> one{
+        {load, truth.mu * load * wrench.force, truth.mu * truth.radius * std::pow(load, 1.26) * wrench.moment}};
+    synthetic::disturb(one, 0.02, truth.mu, mu_r * std::pow(load, 0.26), tell, random);
+    samples.push_back(one[0]);
+  }
+  return samples;
+}
+
+/// A row that alone tells a parameter has no residual: a sandwich of the rows' own residuals covered 40 to 60 %.
+TEST(Robustness, AParameterThatFewRowsTellHasTheNoiseOfAllRows) {
+  const int sets = study_cases(200);
+  for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
+    for (const auto& [many, few] : {std::pair{20, 1}, {60, 2}}) {
+      int found = 0;
+      int covered = 0;
+      for (int seed = 0; seed < sets; ++seed) {
+        Random random(static_cast<std::uint64_t>(100 + seed));
+        ContactFitOptions options;
+        options.loss = loss;
+        options.fit_gamma = true;
+        try {
+          const auto samples = at_two_loads(many, few, seed % 2 == 0, random);
+          const Estimate gamma = fit_contact(samples, ContactModel::of(hertz()), options).report.at("gamma");
+          ++found;
+          covered += std::fabs(gamma.value - 0.26) <= 1.959964 * gamma.std_error;
+        } catch (const std::invalid_argument&) {
+          // The row at 3 N hardly twists.
+        }
+      }
+      EXPECT_GE(found, 0.75 * sets);
+      EXPECT_GE(covered, 0.95 * found - 3 * 0.218 * std::sqrt(found)) << to_string(loss.kind) << few;
+    }
+  }
+}
+
+TEST(Robustness, PureSlidesAndPureTwistsInUnequalNumbersAreNoSingleCentre) {
+  for (const bool tell : {false, true}) {
+    for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
+      for (const auto& [slides, twists] : {std::pair{4, 2}, {10, 4}, {80, 20}, {20, 80}}) {
+        Random random(31);
+        std::vector<Sample> samples;
+        for (int i = 0; i < slides + twists; ++i) {
+          const double load = random.uniform(1.0, 6.0);
+          const double noise = 1.0 + 0.02 * random.normal();
+          Sample sample{load, i < slides ? 0.8 * load * noise : 0.0, i < slides ? 0.0 : 0.0024 * load * noise};
+          if (tell) sample.sigma_force = 0.016 * load, sample.sigma_moment = 4.8e-5 * load;
+          samples.push_back(sample);
+        }
+        samples.push_back({3.0, 0.0, 0.0, samples[0].sigma_force, samples[0].sigma_moment});  // a resting finger
+        ContactFitOptions options;
+        options.loss = loss;
+        const FitReport report = fit_contact(samples, ContactModel::of(hertz()), options).report;
+        EXPECT_NEAR(report.at("mu").value, 0.8, 4.0 * report.at("mu").std_error) << slides;
+        EXPECT_NEAR(report.at("mu_r").value, 0.0024, 4.0 * report.at("mu_r").std_error) << slides;
+        EXPECT_GT(report.at("mu_r").std_error, 0.0024 * 0.01 / std::sqrt(twists));
+        EXPECT_FALSE(report.gamma_refused);
+      }
+    }
+  }
+}
+
+/// Nothing can be outside of a limit: a hold of more rows than all slips together is not the limit.
+TEST(Robustness, ALongHoldIsLeftOutAndNamed) {
+  for (const bool tell : {false, true}) {
+    for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
+      Random random(41);
+      const Truth truth{0.8, 0.005};
+      std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), truth, 60, random);
+      for (int i = 0; i < 300; ++i) samples.push_back({3.0, 0.6 * 1.7, 0.6 * 4.4e-3});
+      synthetic::disturb(samples, 0.01, truth.mu, truth.mu * truth.radius * hertz()->moment_ratio(), tell, random);
+      ContactFitOptions options;
+      options.loss = loss;
+      const ContactFit fit = fit_contact(samples, ContactModel::of(hertz()), options);
+      const Estimate& mu = fit.report.at("mu");
+      EXPECT_NEAR(mu.value, 0.8, 3.5 * mu.std_error);
+      EXPECT_LT(mu.std_error, 0.004);
+      test::expect_mention(fit.report.warnings.back(), "rows 61, 62,");
+      EXPECT_EQ(fit.outliers.size(), 300U);
+      ASSERT_EQ(fit.residuals.size(), 360U);
+      EXPECT_LT(fit.residuals[60], -20.0);
+      EXPECT_LT(std::fabs(fit.residuals[59]), 5.0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace limitcurve::fit
