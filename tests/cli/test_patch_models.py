@@ -57,7 +57,6 @@ class FitFriction(PatchCase):
         return {name: value if name.startswith("d") else -value for name, value in row.items()}
 
     def test_reactions_are_refused_and_single_pushes_against_the_motion_left_out(self):
-        # Logs of the reaction gave a negative mu, with exit 0.
         patch, data = self.pushes(self.MOVED)
         for against in (range(5), range(1, 5)):
             done = run("fit", "friction", "--patch", patch, "--data",

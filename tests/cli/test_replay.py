@@ -48,7 +48,6 @@ class Replays(CommandLineTest):
                     self.assertEqual(states, {"free", "stick", "slip"}, f"{trace.name} {boundary} {projection}")
 
     def test_the_exact_curve_of_a_measured_profile_has_the_error_of_its_samples(self):
-        # Once it said the error of the table alone, a hundredth of the profile's own or less.
         profile = self.file(
             "profile.csv",
             "radius,pressure\n" +"".join(f"{i / 20},{math.sqrt(1 - (i / 20) ** 2)}\n" for i in range(21)))

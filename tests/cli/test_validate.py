@@ -195,7 +195,6 @@ class Choose(CommandLineTest):
                         self.assertEqual(len(rows("replay", "--trace", trace, *finger, *options)), 3)
 
     def test_what_a_scene_leaves_out_is_said_and_typed(self):
-        # The line to type lacked it, and failed; a = 5 mm was taken in silence.
         trace = self.file("trace.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n")
         for given in [[], ["--mu", "0.6"], ["--mu-r", "0.002"],
                       ["--stiffness", "500", "--radius-law", "constant:a=0.004"]]:

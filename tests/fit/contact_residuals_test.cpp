@@ -52,8 +52,7 @@ std::vector<double> some_parameters(const UnitCurve& curve, synthetic::Random& r
   return parameters;
 }
 
-// Well inside the curve the distance has two minima. The search found one of them by chance, so that a cost depended on
-// where the minimiser came from, and it stopped where the cost still fell.
+// Well inside the curve the distance has two minima. A search that returns either makes the cost depend on the path.
 TEST(ContactResiduals, OfSamplesInsideAreTheLeastDistanceWhereverTheSearchBegan) {
   for (const Case& item : cases) {
     synthetic::Random random(12);

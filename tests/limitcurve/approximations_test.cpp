@@ -34,7 +34,7 @@ TEST(Polygon, DiamondHasTwoVertices) {
 }
 
 TEST(Approximations, RefuseBadParameters) {
-  // The square of 1e-200 is 0: its ellipse had no wrench.
+  // The square of 1e-200 is 0.
   for (const double bad : {0.0, -1.0, nan, inf, 1e-200, 1e200}) {
     EXPECT_THROW(Ellipse(bad, 1.0), std::invalid_argument) << bad;
     EXPECT_THROW(Ellipse(1.0, bad), std::invalid_argument) << bad;

@@ -61,7 +61,6 @@ TEST(Choose, EvaluatesAPeakedLawAFewThousandTimes) {
   EXPECT_NEAR(curve_error(box(1.0, law->moment_ratio()), ExactCurve(law)).rms_error, 0.00647925913444, 1e-6 * 0.0065);
 }
 
-// Once the first of these was chosen.
 TEST(Choose, OfEqualCostsTheSmallerErrorWins) {
   std::vector<Candidate> candidates{
       {"dear", 0.0, 0.0, 131.0}, {"table", 0.0, 0.0006, 125.1}, {"curve", 0.0, 0.21, 124.3}, {"cheap", 0.0, 0.3, 10.0}};

@@ -80,8 +80,7 @@ double xydas_kao_moment(double k, double j) {
   return std::beta((j + 1.0) / k, 1.0 / k + 1.0) / k;
 }
 
-// Once the error was inf for k = 0.1 (truth 2.843), and for the Gaussian it depended on the unit of length (truth
-// 0.5708). A pressure that is infinite at the centre: the true COR over that of the wrench on an ellipse falls as
+// A pressure that is infinite at the centre: the true COR over that of the wrench on an ellipse falls as
 // 1/log(1/s).
 TEST(CurveError, OfTheCentreOfRotationHasNoBoundWhereThePressureIsInfinite) {
   for (const char* name : {"uniform-wear", "mix:0.1*uniform-wear+0.9*hertz"}) {

@@ -41,6 +41,19 @@ TEST(LawGrammar, MixtureTakesExponentsWithASign) {
   EXPECT_EQ(mixed, same);
 }
 
+TEST(LawGrammar, AMixtureOfManyEqualLawsIsTheLaw) {
+  for (const auto& [name, parts] : {std::pair{"hertz", 1000}, {"power:n=0.3", 300}}) {
+    std::string text = "mix:";
+    for (int i = 0; i < parts; ++i) text.append(i == 0 ? "1*" : "+1*").append(name);
+    const Law mixed = parse_law(text);
+    EXPECT_EQ(mixed->name(), text);
+    for (const double s : {0.0, 0.4, 1.0, 1e9}) {
+      EXPECT_NEAR(mixed->evaluate(s).wrench.force, parse_law(name)->evaluate(s).wrench.force, 1e-13);
+      EXPECT_NEAR(mixed->evaluate(s).wrench.moment, parse_law(name)->evaluate(s).wrench.moment, 1e-13);
+    }
+  }
+}
+
 TEST(LawGrammar, SaysWhatIsWrong) {
   for (const auto& [text, place] : {std::pair{"", "expected one of hertz"},
                                     {"herz", "expected one of hertz"},

@@ -441,7 +441,6 @@ TEST(Samples, RefusesWhatIsNoProfile) {
   refused({{0, 1}, {1, 1}, {2, 1}, {2, 0}}, "jump at the last radius");
 }
 
-// Once only 13 of 21 such profiles reached 1e-10.
 TEST(Table, FollowsJumpsInsideTheContact) {
   for (unsigned seed = 1; seed <= static_cast<unsigned>(study_cases(21, 4)); ++seed) {
     std::mt19937_64 generator(seed);

@@ -124,7 +124,7 @@ TEST(Pivot, AGripThatIsLeftOpenHoldsTheBlockAtFirst) {
   EXPECT_EQ(Pivot(options).holding_load(), std::numeric_limits<double>::infinity());
 }
 
-// Fingers that were pressed in by more than 0.5 m were refused as a jump, and the block dropped in silence.
+// Deeper than 0.5 m, where a finger's own sample would be a jump.
 TEST(Pivot, ADeepGripHoldsTheBlock) {
   for (const double load : {490.0, 510.0, 1e6, 4e8}) {
     PivotOptions options;

@@ -97,8 +97,6 @@ void expect_compiles(const Table& table, const std::string& compiler, const std:
   std::filesystem::remove_all(folder);
 }
 
-// Once two tables of one law, and the laws power:n=0.5 and power:n=-0.5, had one name: a program of two files silently
-// used one of them.
 TEST(ExportedHeader, OfManyTablesLiveInOneProgram) {
   const auto folder = std::filesystem::path(testing::TempDir()) / ("limitcurve_headers_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
