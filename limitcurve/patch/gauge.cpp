@@ -6,13 +6,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <tuple>
+
+// Notation. The units are such that the unit vectors are wrenches of pure slides along x and y and of a pure spin.
+//   W      the wrench, of length 1
+//   T      a twist of power T·W = 1
+//   H(T)   the power that friction takes
+//   p(T)   = ∇H, the wrench that T needs; T·p(T) = H(T)
+//   K      all wrenches that friction can bear: T·p ≤ H(T) for all T. K is convex; p(T) and the unit vectors are in it
+//   gauge  the smallest g with W in g K. For every T it is at least 1/H(T). For every sum W = Σ λᵢ pᵢ + R with λᵢ ≥ 0
+//          and pᵢ in K it is at most Σ λᵢ + |R|, where |R| adds up the parts of R along the unit vectors.
+// Where both bounds meet, T is the slip.
 
 namespace limitcurve {
 
-namespace patch {
+namespace {
 
-/// A wrench or a twist in units in which the forces of pure slides along x and y and the moment of a pure spin are 1.
 struct Vector {
   double x;
   double y;
@@ -21,142 +32,169 @@ struct Vector {
   friend Vector operator+(const Vector& a, const Vector& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Vector operator-(const Vector& a, const Vector& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vector operator*(const Vector& a, double scale) noexcept { return {a.x * scale, a.y * scale, a.z * scale}; }
+  friend double dot(const Vector& a, const Vector& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  friend Vector cross(const Vector& a, const Vector& b) noexcept {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
 };
 
-}  // namespace patch
-
-namespace {
-
-using patch::Vector;
-
-double dot(const Vector& a, const Vector& b) noexcept {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Vector cross(const Vector& a, const Vector& b) noexcept {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-/// Three points of the limit surface, and the plane T·p = 1 through them. Differences of the points keep their digits
-/// when the points come close to each other.
+/// Three points of K, and the twist whose power is 1 against each. Differences of the points keep their digits when the
+/// points come close to each other.
 struct Facet {
   std::array<Vector, 3> points;
-  Vector first;
-  Vector second;
-  Vector normal;
-  Vector twist;  ///< T
-
-  explicit Facet(const std::array<Vector, 3>& of) noexcept
-      : points(of),
-        first(of[1] - of[0]),
-        second(of[2] - of[0]),
-        normal(cross(first, second)),
-        twist(normal * (1.0 / dot(normal, of[0]))) {}
+  Vector first = points[1] - points[0];
+  Vector second = points[2] - points[0];
+  Vector normal = cross(first, second);
+  Vector twist = normal * (1.0 / dot(normal, points[0]));
 
   /// λ of p = Σ λᵢ pᵢ.
-  [[nodiscard]] std::array<double, 3> shares(const Vector& p) const noexcept {
+  std::array<double, 3> shares(const Vector& p) const noexcept {
     const double sum = dot(twist, p);
     const Vector inside = p * (1.0 / sum) - points[0];
-    const double size = dot(normal, normal);
-    const double b = dot(cross(inside, second), normal) / size;
-    const double c = dot(cross(first, inside), normal) / size;
+    const double b = dot(cross(inside, second), normal) / dot(normal, normal);
+    const double c = dot(cross(first, inside), normal) / dot(normal, normal);
     return {sum * (1.0 - b - c), sum * b, sum * c};
   }
 };
 
-/// The gauge of W, and the twist of power 1 against W with the least H, which is 1/gauge.
-struct Slip {
-  Vector twist;
-  double gauge;
-};
+/// The search for the slip under a wrench about the centre of pressure.
+class Search {
+ public:
+  double gauge = std::numeric_limits<double>::quiet_NaN();  ///< of the wrench
+  PatchTwist slip{gauge, gauge, gauge};  ///< of power 1 against the wrench; NaN unless the gauge is finite, not 0
 
-// The smallest Σ λᵢ with Σ λᵢ pᵢ = W over points pᵢ of the surface and λᵢ ≥ 0: a linear programme of which the
-// surface's support in the direction T of a facet, the wrench of the twist T, is the column to add. Its H(T) ≥ 1 bounds
-// what is missing: the gauge is at least Σ λᵢ/H(T). No derivative is needed, so that kinks, flat faces and points do
-// not matter.
-template <class Support>
-Slip slip_by_columns(const Vector& w, const Support& support) noexcept {
-  constexpr int most_columns = 400;
-  constexpr int most_stalls = 10;
-  constexpr double enough = 1e-13;
-  // The first facet: pure slides along the axes and a pure spin, with the signs of W.
-  const Vector spin = support({0.0, 0.0, 1.0});
-  const auto with_sign = [](const Vector& point, double share) { return share < 0.0 ? point * -1.0 : point; };
-  const Vector slides = w - spin * w.z;
-  Facet facet({with_sign({1.0, 0.0, 0.0}, slides.x), with_sign({0.0, 1.0, 0.0}, slides.y), with_sign(spin, w.z)});
-  double least = std::numeric_limits<double>::infinity();
-  int stalls = 0;
-  for (int i = 0; i < most_columns; ++i) {
-    const double sum = dot(facet.twist, w);
-    const Vector column = support(facet.twist);
-    const double power = dot(facet.twist, column);
-    // A column may leave the sum as it is, where W lies on an edge of the facet; several in a row are rounding.
-    stalls = sum < least ? 0 : stalls + 1;
-    least = std::min(least, sum);
-    if (!(power > 1.0 + enough) || stalls > most_stalls) break;
-    const std::array<double, 3> now = facet.shares(w);
-    const std::array<double, 3> change = facet.shares(column);
-    std::size_t leaves = 3;
-    double step = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!(change[k] > 0.0) || !(std::max(now[k], 0.0) / change[k] < step)) continue;
-      step = std::max(now[k], 0.0) / change[k];
-      leaves = k;
+  /// Until W is missed by no more than `enough`, or until the bounds meet and no step comes closer.
+  Search(const Patch& patch, const PatchWrench& wrench, double enough) noexcept : patch_(patch) {
+    constexpr double met = 1e-13;
+    if (std::isnan(wrench.fx) || std::isnan(wrench.fy) || std::isnan(wrench.moment)) return;
+    const auto [mx, my] = patch.factors();
+    const double moment = wrench.moment == 0.0 ? 0.0 : wrench.moment / m0_;
+    gauge = std::hypot(std::hypot(wrench.fx / mx, wrench.fy / my), moment);
+    if (!(gauge > 0.0 && std::isfinite(gauge))) return;
+    w_ = {wrench.fx / mx / gauge, wrench.fy / my / gauge, moment / gauge};
+    slip = {w_.x / mx / gauge, w_.y / my / gauge, 0.0};
+    if (!(m0_ > 0.0)) return;  // a single point bears no moment, and its spin is free: it does not spin
+    spin_ = needed({0.0, 0.0, 1.0});
+    w_ = w_ - spin_ * w_.z + Vector{0.0, 0.0, w_.z};
+    const double size = gauge * std::sqrt(dot(w_, w_));
+    w_ = w_ * (gauge / size);
+    here_ = look(w_ + Vector{0.0, 0.0, spin_.x * w_.x + spin_.y * w_.y});  // a push through the centre slides
+    descend(enough, 2);
+    if (upper_ - 1.0 / here_.power > met) {
+      add_columns(met);
+      for (double before = 4.0; enough < met && here_.missed < 0.5 * before; descend(enough, 8)) before = here_.missed;
     }
-    if (leaves == 3) break;
-    std::array<Vector, 3> points = facet.points;
-    points[leaves] = column;
-    const Facet next(points);
-    if (!(dot(next.twist, w) > 0.0)) break;  // three points of one line
-    facet = next;
+    gauge = size / here_.power;
+    slip = twist_of(here_.twist * (1.0 / size));
   }
-  const double sum = dot(facet.twist, w);
-  return {facet.twist * (1.0 / sum), std::min(least, sum)};
-}
 
-/// Improves a twist of unit power against W, |W| = 1, until the wrench that it needs is parallel to W: Newton's method
-/// for the part across W, with differences of wrenches as slopes. Near a kink of H the steps of the differences shrink;
-/// on one nothing improves.
-template <class Support>
-Vector polished(Vector twist, const Vector& w, const Support& support) noexcept {
-  constexpr double enough = 1e-14;
-  constexpr double power_rounding = 1e-13;
-  const Vector axis = std::fabs(w.z) < 0.5 ? Vector{0.0, 0.0, 1.0} : Vector{1.0, 0.0, 0.0};
-  Vector one = cross(w, axis);
-  one = one * (1.0 / std::sqrt(dot(one, one)));
-  const Vector other = cross(w, one);
-  /// The parts of the wrench across W, and its power.
-  const auto across = [&](const Vector& at) -> Vector {
-    const Vector needed = support(at);
-    return {dot(needed, one), dot(needed, other), dot(needed, at)};
+ private:
+  struct Place {
+    Vector twist;
+    double power;
+    Vector wrench;
+    double missed;  ///< |R| of W = p/H + R
   };
-  Vector now = across(twist);
-  double miss = std::hypot(now.x, now.y);
-  for (double step = 1e-6; step > 1e-15 && miss > enough;) {
-    const double size = step * std::sqrt(dot(twist, twist));
-    const auto slope = [&](const Vector& along) -> PatchPoint {
-      const Vector ahead = across(twist + along * size);
-      const Vector behind = across(twist - along * size);
-      return {(ahead.x - behind.x) / (2.0 * size), (ahead.y - behind.y) / (2.0 * size)};
-    };
-    const PatchPoint a = slope(one);
-    const PatchPoint b = slope(other);
-    const double area = a.x * b.y - a.y * b.x;
-    const Vector next =
-        twist + one * ((now.y * b.x - now.x * b.y) / area) + other * ((now.x * a.y - now.y * a.x) / area);
-    const Vector there = across(next);
-    const double left = std::hypot(there.x, there.y);
-    // Beside a kink less may be left than on it, but H is larger.
-    if (left < 0.5 * miss && there.z <= now.z * (1.0 + power_rounding)) {
-      twist = next;
-      now = there;
-      miss = left;
-    } else {
-      step /= 32.0;
+
+  PatchTwist twist_of(const Vector& twist) const noexcept {
+    const auto [mx, my] = patch_.factors();
+    return {twist.x / mx, twist.y / my, (twist.z - spin_.x * twist.x - spin_.y * twist.y) / m0_};
+  }
+  /// p of a twist.
+  Vector needed(const Vector& twist) const noexcept {
+    const auto [mx, my] = patch_.factors();
+    const PatchWrench wrench = patch_.wrench(twist_of(twist));
+    const double moment = wrench.moment / m0_;
+    return {wrench.fx / mx - spin_.x * moment, wrench.fy / my - spin_.y * moment, moment};
+  }
+  Place look(const Vector& direction) noexcept {
+    const Vector twist = direction * (1.0 / dot(direction, w_));
+    const Vector wrench = needed(twist);
+    const double power = dot(twist, wrench);
+    const double missed = parts(w_ - wrench * (1.0 / power));
+    upper_ = std::min(upper_, 1.0 / power + missed);
+    return {twist, power, wrench, missed};
+  }
+  static double parts(const Vector& rest) noexcept { return std::hypot(rest.x, rest.y) + std::fabs(rest.z); }
+
+  /// Minimises H by quasi-Newton steps (BFGS) across W. Each step that is tried, taken or not, corrects the curvature.
+  /// Gives up, as near a kink of H, after as many failures in a row as are `allowed`.
+  void descend(double enough, int allowed) noexcept {
+    constexpr int most_steps = 40;
+    Vector one = cross(w_, std::fabs(w_.z) < 0.5 ? Vector{0.0, 0.0, 1.0} : Vector{1.0, 0.0, 0.0});
+    one = one * (1.0 / std::sqrt(dot(one, one)));
+    const Vector other = cross(w_, one);
+    const auto across = [&](const Vector& p) { return std::complex(dot(p, one), dot(p, other)); };
+    // The inverse of the second derivative takes z to even z + odd conj(z).
+    double even = 1.0;
+    std::complex<double> odd = 0.0;
+    for (int i = 0, failed = 0; i < most_steps && failed < allowed && here_.missed > enough; ++i) {
+      const std::complex slope = across(here_.wrench);
+      std::complex step = -even * slope - odd * std::conj(slope);
+      step /= std::max(1.0, std::abs(step));
+      const Place next = look(here_.twist + one * step.real() + other * step.imag());
+      const std::complex change = across(next.wrench) - slope;
+      const double before = (std::conj(step) * slope).real();
+      const double rise = (std::conj(step) * change).real();
+      if (rise > 0.0) {
+        const std::complex there = even * change + odd * std::conj(change);
+        const double half = 0.5 + 0.5 * (std::conj(change) * there).real() / rise;
+        even += (half * std::norm(step) - (std::conj(step) * there).real()) / rise;
+        odd += step * (half * step - there) / rise;
+      }
+      // Within the rounding of H the slope along the step decides.
+      const double fall = here_.power - next.power;
+      const bool is_better = fall > 1e-14 || (fall > -1e-13 && before + rise < -0.9 * before);
+      failed = is_better ? 0 : failed + 1;
+      if (is_better) here_ = next;
     }
   }
-  return twist;
-}
+
+  /// Minimises Σ λᵢ, a linear programme whose columns are wrenches p(T) of its facets' twists; it needs no derivative.
+  /// So that no pivot is of length 0, and none comes back, W is shifted into the first facet, by less than `enough`.
+  void add_columns(double enough) noexcept {
+    constexpr int most_columns = 400;
+    constexpr double shift = 3e-14;
+    constexpr double least_pivot = 1e-12;
+    Facet facet{{{{std::copysign(1.0, w_.x), 0.0, 0.0},
+                  {0.0, std::copysign(1.0, w_.y), 0.0},
+                  {0.0, 0.0, std::copysign(1.0, w_.z)}}}};
+    const Vector inside = w_ + (facet.points[0] * 0.7 + facet.points[1] + facet.points[2] * 0.4) * shift;
+    Vector column = here_.wrench;
+    for (int i = 0; i < most_columns && upper_ - 1.0 / here_.power > enough; ++i) {
+      const std::array<double, 3> now = facet.shares(inside);
+      const std::array<double, 3> change = facet.shares(column);
+      std::size_t leaves = 3;
+      double step = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double length = std::max(now[k], 0.0) / change[k];
+        if (change[k] > least_pivot && length < step) step = length, leaves = k;
+      }
+      if (leaves == 3) return;
+      facet.points[leaves] = column;
+      facet = Facet{facet.points};
+      if (!(dot(facet.twist, w_) > 0.0)) return;  // three points of one line
+      double sum = 0.0;
+      Vector rest = w_;
+      const std::array<double, 3> shares = facet.shares(w_);
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum += std::max(shares[k], 0.0);
+        rest = rest - facet.points[k] * std::max(shares[k], 0.0);
+      }
+      upper_ = std::min(upper_, sum + parts(rest));
+      const Place next = look(facet.twist);
+      if (next.power < here_.power) here_ = next;
+      column = next.wrench;
+    }
+  }
+
+  const Patch& patch_;
+  double m0_ = patch_.moment_ratio();
+  Vector spin_{};  ///< the forces of a pure spin, in the units
+  Vector w_{};
+  Place here_{};  ///< with the least H so far
+  double upper_ = std::numeric_limits<double>::infinity();
+};
 
 /// The wrench about `centre` of one about the origin. A moment within its rounding is 0: a single point bears no other.
 PatchWrench about(const PatchPoint& centre, const PatchWrench& wrench) noexcept {
@@ -169,50 +207,20 @@ PatchWrench about(const PatchPoint& centre, const PatchWrench& wrench) noexcept 
 
 }  // namespace
 
-/// The direction of a wrench about the centre of pressure, and what twists need, in the units of `Vector`.
-struct Patch::Direction {
-  Patch isotropic;
-  double size = std::numeric_limits<double>::quiet_NaN();
-  patch::Vector w{};  ///< of length 1, if size > 0 is finite
-
-  Direction(const Patch& patch, const PatchWrench& wrench) noexcept : isotropic(patch.shape_) {
-    if (std::isnan(wrench.fx) || std::isnan(wrench.fy) || std::isnan(wrench.moment)) return;
-    w = {wrench.fx / patch.mx_, wrench.fy / patch.my_,
-         wrench.moment == 0.0 ? 0.0 : wrench.moment / patch.moment_ratio_};
-    size = std::hypot(std::hypot(w.x, w.y), w.z);
-    w = w * (1.0 / size);
-  }
-  /// The wrench that a twist needs.
-  [[nodiscard]] Vector operator()(const Vector& twist) const noexcept {
-    const PatchWrench needed = isotropic.wrench({twist.x, twist.y, twist.z / isotropic.moment_ratio_});
-    return {needed.fx, needed.fy, needed.moment / isotropic.moment_ratio_};
-  }
-  /// For size > 0 that is finite. A single point bears no moment, and its spin is free: it does not spin.
-  [[nodiscard]] Slip slip() const noexcept {
-    return isotropic.moment_ratio_ > 0.0 ? slip_by_columns(w, *this) : Slip{w, 1.0};
-  }
-};
-
 double Patch::gauge(const PatchWrench& wrench) const noexcept {
-  const Direction direction(*this, wrench);
-  return direction.size > 0.0 && std::isfinite(direction.size) ? direction.size * direction.slip().gauge
-                                                               : direction.size;
+  return Search(*this, wrench, 1e-13).gauge;
 }
 
 PatchSlip Patch::slip(const PatchWrench& wrench) const {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kink = 1e-9;  // more than Newton's method leaves where H is smooth
+  constexpr double kink = 1e-9;  // more than the search leaves where H is smooth
   constexpr double near = 1e-6;  // of the radius: beside a point, whose own force has no direction
   const PatchPoint middle = centre();
-  const Direction direction(*this, about(middle, wrench));
-  const double size = direction.size;
-  if (!(size > 0.0 && std::isfinite(size))) return {{nan, nan, nan}, size, nan};
-  const auto [first, gauge] = direction.slip();
-  const bool spins = moment_ratio_ > 0.0;
-  const Vector twist = spins ? polished(first, direction.w, direction) : first;
-  const PatchTwist slip{twist.x / mx_ / size, twist.y / my_ / size, spins ? twist.z / moment_ratio_ / size : 0.0};
+  const Search search(*this, about(middle, wrench), 1e-15);
+  const PatchTwist& slip = search.slip;
   const PatchPoint velocity = patch::velocity_at(slip, -middle.x, -middle.y);
-  PatchSlip found{{velocity.x, velocity.y, slip.omega}, size * gauge, nan};
+  PatchSlip found{{velocity.x, velocity.y, slip.omega}, search.gauge, std::numeric_limits<double>::quiet_NaN()};
+  if (std::isnan(slip.vx)) return found;
+  const bool spins = moment_ratio_ > 0.0;
   /// A twist's error, but for the force, up to its load, of the point that `bears` under the COR.
   const auto error_of = [&](const PatchTwist& at, const PatchLoad* bears) {
     const PatchFriction needed = about_origin(at);
@@ -250,9 +258,9 @@ PatchSlip Patch::slip(const PatchWrench& wrench) const {
 
 double load_to_hold(const Patch& patch, double mu, const PatchWrench& wrench) {
   if (!(mu >= 0.0 && std::isfinite(mu))) throw out_of_range("mu", mu, "1", "a finite number >= 0");
-  if (!std::isfinite(wrench.fx)) throw out_of_range("fx", wrench.fx, "N", "a finite number");
-  if (!std::isfinite(wrench.fy)) throw out_of_range("fy", wrench.fy, "N", "a finite number");
-  if (!std::isfinite(wrench.moment)) throw out_of_range("moment", wrench.moment, "N m", "a finite number");
+  for (const auto& [name, value, unit] :
+       {std::tuple{"fx", wrench.fx, "N"}, {"fy", wrench.fy, "N"}, {"moment", wrench.moment, "N m"}})
+    if (!std::isfinite(value)) throw out_of_range(name, value, unit, "a finite number");
   const double gauge = patch.gauge(about(patch.centre(), wrench));
   if (!(gauge > 0.0)) return 0.0;
   return mu > 0.0 ? gauge / mu : std::numeric_limits<double>::infinity();

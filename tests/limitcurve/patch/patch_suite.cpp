@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -41,6 +42,7 @@ std::vector<Kind> kinds() {
   return {{"points", Patch::points(loads), 1e-13},
           {"polygon", Patch::polygon(concave), 1e-13},
           {"rectangle", Patch::rectangle(0.02, 0.01), 1e-13},
+          {"square", Patch::rectangle(0.02, 0.02), 1e-13},
           {"hertz ellipse", ellipse, 1e-13},
           {"uniform ellipse", Patch::ellipse(uniform(), 0.002, 0.009), 1e-12},
           {"gaussian ellipse", Patch::ellipse(gaussian(0.4), 0.002, 0.003), 1e-12},
@@ -190,6 +192,27 @@ TEST_P(EveryPatch, SlipIsTheTwistThatNeedsTheWrench) {
   EXPECT_TRUE(std::isnan(patch.slip({0.0, 0.0, 0.0}).twist.vx));
 }
 
+// A push through the centre of pressure slides, whatever the shape; a wrench and its opposite slip in opposite ways.
+TEST_P(EveryPatch, SlipsUnderWrenchesAlongTheAxes) {
+  const auto& [name, patch, bound] = GetParam();
+  const double m0 = patch.moment_ratio();
+  const auto [mx, my] = patch.factors();
+  for (const auto& [x, y, spin] : std::vector<std::array<double, 3>>{
+           {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {0.6, 0.8, 0}}) {
+    const auto [cx, cy] = patch.centre();
+    const PatchWrench wrench{mx * x, my * y, m0 * spin + cx * my * y - cy * mx * x};
+    const auto [slip, gauge, error] = patch.slip(wrench);
+    const auto [back, same, also] = patch.slip({-wrench.fx, -wrench.fy, -wrench.moment});
+    EXPECT_LE(std::max(error, also), 1e-9 + 10.0 * bound) << name << x << y << spin;
+    EXPECT_NEAR(gauge, same, (1e-12 + bound) * gauge) << name << x << y << spin;
+    EXPECT_NEAR(load_to_hold(patch, 1.0, wrench), gauge, (1e-12 + bound) * gauge) << name << x << y << spin;
+    if (spin != 0.0) continue;
+    EXPECT_NEAR(gauge, std::hypot(x, y), 1e-12 * gauge) << name << x << y;
+    const PatchTwist slide{x / mx / (gauge * gauge), y / my / (gauge * gauge), 0.0};
+    EXPECT_LE(size(patch, {slip.vx - slide.vx, slip.vy - slide.vy, slip.omega}), 1e-9 / std::min(mx, my)) << name;
+  }
+}
+
 TEST_P(EveryPatch, NothingIsUndefined) {
   const auto& [name, patch, bound] = GetParam();
   const PatchFriction rest = patch.evaluate({0, 0, 0});
@@ -250,6 +273,62 @@ TEST(PatchSymmetry, TurnedAndMirroredPatchesHaveTurnedAndMirroredWrenches) {
     EXPECT_NEAR(second.fy, first.fx, 1e-13);
     EXPECT_NEAR(second.fx, -first.fy, 1e-13);
     EXPECT_NEAR(second.moment, first.moment, 1e-13);
+  }
+}
+
+// Points on lines and at corners, where a wrench along an axis or across the line is a corner, an edge or the middle of
+// a face of the limit surface; as found, and moved, turned, scaled and in another order.
+TEST(PatchSymmetry, GaugesAtCornersAndInFacesOfTheLimitSurface) {
+  std::vector<std::vector<PatchLoad>> shapes{{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}},
+                                             {{2, -3, 1}, {-2, 0, 1}, {3, -2, 1}, {-3, -1, 1}},
+                                             {{0.1, 0.4, 1}, {0.1, -0.4, 1}, {-0.7, 0.2, 1}, {-0.7, -0.2, 1}},
+                                             {{-1, 0.3, 1}, {0.5, 0.2, 2}, {0.4, -0.9, 3}}};
+  for (const double degrees : {0.0, 30.0, 45.0, 90.0, 135.0}) {
+    const double angle = degrees / 180.0 * std::numbers::pi;
+    for (const double off : {0.0, 1e-15, 1e-12, 1e-9, 1e-6}) {
+      shapes.push_back({});
+      for (const double t : {-3.5, -1.0, 0.25, 2.0}) {
+        const double across = off * std::cos(9.0 * t);
+        shapes.back().push_back({t * std::cos(angle) - across * std::sin(angle),
+                                 t * std::sin(angle) + across * std::cos(angle), t < 1.0 ? 1.0 : 3.0});
+      }
+    }
+  }
+  struct Motion {
+    double turn, scale, x, y;
+  };
+  for (const std::vector<PatchLoad>& shape : shapes) {
+    for (const auto& [turn, scale, dx, dy] :
+         {Motion{0, 1, 0, 0}, {0, 1, 3, -2}, {0.7, 1, 0, 0}, {std::numbers::pi / 4, 1e-3, 0.01, 0}}) {
+      const double c = scale * std::cos(turn);
+      const double s = scale * std::sin(turn);
+      std::vector<PatchLoad> loads;
+      double total = 0.0;
+      for (const auto& [x, y, load] : shape) {
+        loads.insert(loads.begin(), {c * x - s * y + dx, s * x + c * y + dy, load});
+        total += load;
+      }
+      const Patch patch = Patch::points(loads);
+      const auto check = [&](const PatchWrench& wrench, double expected, const char* what) {
+        const auto [slip, gauge, error] = patch.slip(wrench);
+        EXPECT_NEAR(gauge, expected, 1e-11 * expected) << what << turn << ' ' << shape[0].x << ' ' << shape[0].y;
+        EXPECT_NEAR(load_to_hold(patch, 1.0, {-wrench.fx, -wrench.fy, -wrench.moment}), expected, 1e-11 * expected);
+        EXPECT_LE(error, 1e-8) << what << turn << ' ' << shape[0].x << ' ' << shape[0].y;
+      };
+      for (double angle = 0.0; angle < 3.1; angle += std::numbers::pi / 12.0) {
+        const double fx = std::cos(angle);
+        const double fy = std::sin(angle);
+        check({fx, fy, patch.centre().x * fy - patch.centre().y * fx}, 1.0, "slide ");
+      }
+      for (const auto& [x, y, load] : loads) {
+        const PatchWrench others = patch.about_origin({y, -x, 1.0}).wrench;
+        for (const double part : {0.0, 0.3, 0.9}) {
+          const double fx = part * load / total * std::cos(5.0 * part);
+          const double fy = part * load / total * std::sin(5.0 * part);
+          check({others.fx + fx, others.fy + fy, others.moment + x * fy - y * fx}, 1.0, "face ");
+        }
+      }
+    }
   }
 }
 
