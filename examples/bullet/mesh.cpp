@@ -4,9 +4,11 @@
 
 #include <btBulletCollisionCommon.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 namespace lc = limitcurve;
 namespace god = limitcurve::godobject;
@@ -19,27 +21,30 @@ static god::BodyPose pose(const btTransform& at) {
   return {eigen(at.getOrigin()), god::Orientation(q.w(), q.x(), q.y(), q.z()).normalized()};
 }
 
-/// The deepest of Bullet's contact points, in the world's frame.
-struct Deepest : btCollisionWorld::ContactResultCallback {
-  explicit Deepest(const btCollisionObject& finger) : tip(&finger) {}
-  const btCollisionObject* tip;
-  const btCollisionObject* object = nullptr;
-  god::Contact contact;
+/// The walls that a ball is in: contacts of its centre with walls moved out by its radius, in the world's frame.
+struct Walls : btCollisionWorld::ContactResultCallback {
+  Walls(const btCollisionObject& ball, const btCollisionObject* touched) : tip(&ball), last(touched) {}
+  const btCollisionObject *tip, *last;
+  const btCollisionObject* object =
+      nullptr;  ///< the last one while it is touched at all, otherwise that of the deepest
+  double deepest = 0;
+  std::vector<god::Contact> contacts;
   btScalar addSingleResult(btManifoldPoint& p, const btCollisionObjectWrapper* a, int, int,
                            const btCollisionObjectWrapper* b, int, int) override {
     const bool swapped = b->getCollisionObject() == tip;  // with a compound shape
     const btCollisionObject* other = (swapped ? a : b)->getCollisionObject();
-    if (other->hasContactResponse() && -p.getDistance() > contact.depth) {
-      object = other;
-      const btVector3 normal = swapped ? -p.m_normalWorldOnB : p.m_normalWorldOnB;
-      contact = {eigen(swapped ? p.getPositionWorldOnA() : p.getPositionWorldOnB()), eigen(normal).normalized(),
-                 -p.getDistance()};
-    }
+    const double depth = -p.getDistance();
+    if (!other->hasContactResponse() || depth <= 0) return 0;
+    const Eigen::Vector3d normal = eigen(swapped ? -p.m_normalWorldOnB : p.m_normalWorldOnB).normalized();
+    contacts.push_back({eigen(tip->getWorldTransform().getOrigin()) + depth * normal, normal, depth});
+    const bool stays = object != nullptr && object == last;
+    if (other == last || (!stays && depth > deepest)) object = other;
+    deepest = std::max(deepest, depth);
     return 0;
   }
 };
 
-/// A finger whose tip is a ball, which may sink in by its radius.
+/// A finger whose tip is a ball. It may sink in by half its radius: deeper, Bullet's contacts with edges are no walls.
 class BallFinger {
  public:
   BallFinger(const god::SoftFinger& finger, double radius) : finger_(finger), ball_(btScalar(radius)) {
@@ -48,17 +53,14 @@ class BallFinger {
 
   /// One step: force and moment on the user in the world's frame.
   god::FingerOutput update(btCollisionWorld& world, const btTransform& device, double dt) {
-    Deepest found(tip_);
+    Walls walls(tip_, object_);
     tip_.setWorldTransform(device);
-    world.contactTest(&tip_, found);
-    const bool changed = std::exchange(object_, found.object) != found.object;
-    if (found.object == nullptr) {
-      finger_.reset();
-      return {};
-    }
-    const god::BodyPose body = pose(found.object->getWorldTransform());
-    god::Contact contact = to_body(body, found.contact);
-    if (changed) finger_.reset();
+    world.contactTest(&tip_, walls);
+    const bool changed = std::exchange(object_, walls.object) != walls.object;
+    if (changed || walls.object == nullptr) finger_.reset();
+    if (walls.object == nullptr) return {};
+    const god::BodyPose body = pose(walls.object->getWorldTransform());
+    god::Contact contact = to_body(body, god::join(walls.contacts));
     contact.landed = contact.normal.dot(finger_.output().normal) < 0;  // on a wall that faces the other way
     return to_world(body, finger_.update(contact, to_body(body, pose(device).orientation), dt));
   }
