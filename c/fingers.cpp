@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <ranges>
+#include <span>
 #include <type_traits>
 
 using namespace limitcurve;
@@ -96,6 +98,13 @@ void write(const FingerOutput& step, limitcurve_finger_output& output) noexcept 
 
 Contact contact_of(const limitcurve_contact& given) noexcept {
   return {Eigen::Vector3d(given.point), Eigen::Vector3d(given.normal), given.depth, {}, given.landed != 0};
+}
+
+limitcurve_contact contact_of(const Contact& joined, double twist) noexcept {
+  limitcurve_contact result{{}, {}, joined.depth, twist, joined.landed ? 1 : 0};
+  copy(joined.point, result.point);
+  copy(joined.normal, result.normal);
+  return result;
 }
 
 Orientation orientation_of(const double* given) noexcept {
@@ -197,6 +206,14 @@ limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch,
 
 void limitcurve_finger_free(limitcurve_finger* finger) {
   free_handle(finger);
+}
+
+limitcurve_status limitcurve_join(const limitcurve_contact* contacts, size_t count, limitcurve_contact* joined) {
+  if (is_missing("contacts", contacts) || is_missing("joined", joined)) return LIMITCURVE_INVALID;
+  const auto walls = std::span(contacts, count) |
+                     std::views::transform([](const limitcurve_contact& given) { return contact_of(given); });
+  *joined = contact_of(join(walls), count > 0 ? contacts->twist : 0.0);
+  return LIMITCURVE_OK;
 }
 
 limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact,

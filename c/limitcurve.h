@@ -234,6 +234,13 @@ typedef struct limitcurve_contact {
                        another; on another body call limitcurve_finger_reset before the step */
 } limitcurve_contact;
 
+/* Makes one contact of the `count` walls that a finger is in: contacts of one finger position, point - normal * depth,
+ * as with the two faces of a groove. Its point is the nearest outside of all; if two of them meet at less than 90
+ * degrees, or no point is, it is the deepest contact. The twist is that of the first. If the tip is round, move each
+ * point outward by the radius before. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_join(const limitcurve_contact* contacts, size_t count,
+                                                 limitcurve_contact* joined);
+
 /* Result of a step. The whole force on the user is normal * load + force, the moment is about the normal. After an
  * update under a load apply `force` and the moment alone: the engine pushes. */
 typedef struct limitcurve_finger_output {

@@ -51,6 +51,8 @@ static unsafe class LimitCurve {
   [DllImport(Library)] public static extern FingerParameters limitcurve_finger_defaults();
   [DllImport(Library)] public static extern Status limitcurve_finger_new(IntPtr table, ref FingerParameters parameters,
     Projection projection, out IntPtr finger);
+  [DllImport(Library)] public static extern Status limitcurve_join(Contact[] contacts, UIntPtr count,
+    out Contact joined);
   [DllImport(Library)] public static extern Status limitcurve_finger_update(IntPtr finger, ref Contact contact,
     double timeStep, out FingerOutput output);
   [DllImport(Library)] public static extern Status limitcurve_finger_update_pose(IntPtr finger, ref Contact contact,

@@ -137,11 +137,11 @@ template <std::ranges::forward_range Contacts>
     for (auto j = contacts.begin(); j != i; ++j) {
       if (!is_inside(*j)) continue;
       leave(*i);
-      const Eigen::Vector3d edge = i->normal.cross(j->normal);
-      const Eigen::Vector3d across = edge.cross(i->normal);
-      way += across * (missing(*j) / across.dot(j->normal));
+      const Eigen::Vector3d edge = (*i).normal.cross((*j).normal);
+      const Eigen::Vector3d across = edge.cross((*i).normal);
+      way += across * (missing(*j) / across.dot((*j).normal));
       for (auto k = contacts.begin(); k != j; ++k)
-        if (is_inside(*k)) way += edge * (missing(*k) / edge.dot(k->normal));
+        if (is_inside(*k)) way += edge * (missing(*k) / edge.dot((*k).normal));
     }
   }
   for (const Contact& a : contacts)

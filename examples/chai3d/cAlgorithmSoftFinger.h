@@ -8,6 +8,8 @@
 #include "tools/CToolCursor.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <utility>
 
 namespace limitcurve::chai {
@@ -29,7 +31,10 @@ class cAlgorithmSoftFinger : public cAlgorithmFingerProxy {
 
   cVector3d computeForces(const cVector3d& toolPos, const cVector3d& toolVel) override {
     cAlgorithmFingerProxy::computeForces(toolPos, toolVel);
+    // The object stays while it is touched at all: another one has another frame.
     cGenericObject* object = m_numCollisionEvents > 0 ? m_collisionEvents[0]->m_object : nullptr;
+    for (unsigned int i = 0; i < m_numCollisionEvents; ++i)
+      if (m_collisionEvents[i]->m_object == m_object) object = m_object;
     const bool changed = std::exchange(m_object, object) != object;
     if (object == nullptr || !m_finger.change(touching(*object->m_material))) {  // free, or a material of stiffness 0
       m_finger.reset();
@@ -37,12 +42,15 @@ class cAlgorithmSoftFinger : public cAlgorithmFingerProxy {
       m_lastGlobalForce.zero();
       return m_lastGlobalForce;
     }
-    cVector3d normal(0, 0, 0);
-    for (unsigned int i = 0; i < m_numCollisionEvents; ++i) normal.add(m_collisionEvents[i]->m_globalNormal);
-    normal.normalize();
-    const double depth = cDot(m_proxyGlobalPos - toolPos, normal);
+    // The walls pass through the proxy, which is the tip's centre.
+    std::array<Contact, 3> walls;
+    for (unsigned int i = 0; i < m_numCollisionEvents; ++i) {
+      const cVector3d normal = cNormalize(m_collisionEvents[i]->m_globalNormal);
+      const double depth = cDot(m_proxyGlobalPos - toolPos, normal);
+      walls[i] = {(toolPos + depth * normal).eigen(), normal.eigen(), depth};
+    }
     const BodyPose body{object->getGlobalPos().eigen(), orientation(object->getGlobalRot())};
-    Contact contact = to_body(body, Contact{(toolPos + depth * normal).eigen(), normal.eigen(), depth});
+    Contact contact = to_body(body, join(std::span(walls).first(m_numCollisionEvents)));
     if (changed) m_finger.reset();
     contact.landed = contact.normal.dot(m_finger.output().normal) < 0;  // on a wall that faces the other way
     const FingerOutput out =
@@ -66,6 +74,7 @@ class cAlgorithmSoftFinger : public cAlgorithmFingerProxy {
     FingerParameters skin = m_skin;
     skin.mu = material.getUseHapticFriction() ? material.getStaticFriction() : 0;
     skin.mu_dynamic = std::min(material.getDynamicFriction(), skin.mu);
+    if (skin.mu == 0) skin.mu_r = skin.mu_r_dynamic = 0;  // without friction there is no moment
     skin.stiffness = material.getStiffness();
     return skin;
   }

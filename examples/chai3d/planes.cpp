@@ -43,7 +43,7 @@ int main() {
 
   const double mu = 0.6, a = 0.006;
   godobject::FingerParameters skin;
-  skin.radius_law = RadiusLaw::constant(a);
+  skin.mu_r = mu * hertz()->moment_ratio() * a;
   skin.twist_stiffness = 0.036;
   cAlgorithmSoftFinger* finger = new cAlgorithmSoftFinger(Table::build(hertz(), 1e-8), skin);
   cToolSoftFinger tool(&world, finger);
@@ -89,6 +89,7 @@ int main() {
   ceiling->m_material->setUseHapticFriction(false);
   step(0.04, 0.032, 20 / a * 1e-3);
   expect("friction is off: F", std::hypot(force.x(), force.y(), torque.z()), 0);
+  expect("                 P", -force.z(), 1000 * (0.032 - finger->getProxyGlobalPosition().z()));
   ceiling->m_material->setStiffness(0);
   step(0.04, 0.032, 20 / a * 1e-3);
   expect("a material of stiffness 0: F", force.length(), 0);

@@ -7,14 +7,16 @@
 
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 using namespace SimTK;
 
-/// The soft pad at a body's origin, on the ground z = 0, as a force element. An integrator asks for forces as often as
-/// it likes, so that they are previews; `commit` makes a step.
+/// The soft pad at a body's origin as a force element. The ground has walls, each with a point and the outward normal.
+/// An integrator asks for forces as often as it likes, so that they are previews; `commit` makes a step.
 class SoftPad : public Force::Custom::Implementation {
  public:
-  SoftPad(const MobilizedBody& body, const limitcurve11::Finger& finger) : body_(body), finger_(finger.handle()) {}
+  SoftPad(const MobilizedBody& body, const limitcurve11::Finger& finger, const std::vector<limitcurve_contact>& walls)
+      : body_(body), finger_(finger.handle()), walls_(walls) {}
 
   void calcForce(const State& s, Vector_<SpatialVec>& forces, Vector_<Vec3>&, Vector&) const override {
     const Sample at = sample(s);
@@ -41,10 +43,20 @@ class SoftPad : public Force::Custom::Implementation {
   };
   Sample sample(const State& s) const {
     const Vec3 p = body_.getBodyOriginLocation(s);
-    return {{{p[0], p[1], 0}, {0, 0, 1}, -p[2], 0, 0}, body_.getBodyRotation(s).convertRotationToQuaternion().asVec4()};
+    std::vector<limitcurve_contact> walls = walls_;
+    for (limitcurve_contact& wall : walls) {
+      const Vec3 normal(wall.normal);
+      wall.depth = dot(normal, Vec3(wall.point) - p);
+      Vec3::updAs(wall.point) = p + wall.depth * normal;
+    }
+    Sample result;
+    limitcurve_join(walls.data(), walls.size(), &result.contact);
+    result.orientation = body_.getBodyRotation(s).convertRotationToQuaternion().asVec4();
+    return result;
   }
   const MobilizedBody& body_;
   limitcurve_finger* finger_;
+  std::vector<limitcurve_contact> walls_;
 };
 
 /// Commits every millisecond.
@@ -76,7 +88,7 @@ int main() {
   Force::Gravity(forces, matter, -ZAxis, 9.81);
   MobilizedBody::Translation carriage(matter.Ground(), Body::Massless());
   MobilizedBody::Pin puck(carriage, Body::Rigid(MassProperties(mass, Vec3(0), Inertia(1e-4, 1e-4, 2e-6))));
-  auto* pad = new SoftPad(puck, finger);
+  auto* pad = new SoftPad(puck, finger, {{{0, 0, 0}, {0, 0, 1}, 0, 0, 0}, {{0.1, 0, 0}, {-1, 0, 0}, 0, 0, 0}});
   Force::Custom(forces, pad);  // owns it
   Force::MobilityLinearDamper(forces, carriage, MobilizerUIndex(2), 20);
   system.addEventHandler(new Commit(system, *pad));

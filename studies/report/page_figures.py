@@ -7,6 +7,7 @@ usage: page_figures.py LIMITCURVE FOLDER, which gets (each also as .png)
 when_a_table_pays.svg  the scatter of fingers (data/materials.csv) beside errors of models
 cor_in_engine.svg      error of the centre of rotation in MuJoCo (data/engines/cors.csv)
 log_*.svg              from a log to a grip (data/fit/wrench_log.csv)
+groove.svg             a finger in a groove, and what is passed of its walls
 human_fingers.svg      the load that holds a force and a torque, by `limitcurve hold`, for rayon
 """
 
@@ -129,6 +130,25 @@ def cor_in_engine(limitcurve):
     return figure
 
 
+def groove(_):
+    """A ball of radius 1, 0.3 deep in both walls of a groove of 120°; its walls have the normals (∓½, √¾)."""
+    up = math.sqrt(0.75)
+    centre, outside = (0, 0.7 / up), (0, 1 / up)
+    figure, panels = plt.subplots(1, 2, figsize=(6.4, 2.5), layout="constrained")
+    for axes, title in zip(panels, ("deepest wall: noise decides which", "joined: the centre, outside of moved walls")):
+        axes.fill_between((-2, 0, 2), (1 / up, 0, 1 / up), -1, color=FAINT, alpha=0.4, linewidth=0)
+        axes.add_patch(plt.Circle(centre, 1, fill=False, color=INK))
+        axes.set(title=title, xlim=(-2, 2), ylim=(-0.4, 2), aspect="equal")
+        axes.axis("off")
+    for x in (-0.5, 0.5):
+        panels[0].annotate("", (0.7 * x, centre[1] - 0.7 * up), (x, centre[1] - up),
+                           arrowprops={"arrowstyle": "->", "color": VERMILION})
+    panels[1].plot((-2, 0, 2), (2 / up, 1 / up, 2 / up), color=INK, linewidth=0.8, dashes=(5, 3))
+    panels[1].annotate("", outside, centre, arrowprops={"arrowstyle": "->", "color": BLUE})
+    panels[1].plot(*centre, "o", color=INK, markersize=3)
+    return figure
+
+
 def wrench_log():
     """Time, load, force, moment of docs/measure_and_fit.md, and which rows are slips by its rule."""
     path = Path(__file__).resolve().parents[2] / "data" / "fit" / "wrench_log.csv"
@@ -215,7 +235,7 @@ def log_grip(limitcurve):
 
 def main():
     limitcurve, folder = sys.argv[1:]
-    for draw in (cor_in_engine, human_fingers, log_fit, log_grip, log_slips, when_a_table_pays):
+    for draw in (cor_in_engine, groove, human_fingers, log_fit, log_grip, log_slips, when_a_table_pays):
         save(draw(limitcurve), folder, draw.__name__)
 
 

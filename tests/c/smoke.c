@@ -93,6 +93,15 @@ static void fingers(void) {
   double centre[3];
   CHECK(limitcurve_finger_centre_of_rotation(finger, centre) == LIMITCURVE_OK &&
         !(fabs(centre[0]) < 1e9 && fabs(centre[1]) < 1e9));
+  {
+    const limitcurve_contact groove[] = {{{0, 0, 1}, {0, 0, 1}, 1, 3, 0}, {{1, 0, 0}, {1, 0, 0}, 1, 3, 1}};
+    limitcurve_contact joined;
+    CHECK(limitcurve_join(groove, 2, &joined) == LIMITCURVE_OK && fabs(joined.point[0] - 1) < 1e-15 &&
+          fabs(joined.point[2] - 1) < 1e-15 && fabs(joined.depth - sqrt(2)) < 1e-15 && joined.twist == 3 &&
+          joined.landed == 1);
+    CHECK(limitcurve_join(NULL, 2, &joined) == LIMITCURVE_INVALID);
+    CHECK(limitcurve_join(groove, 0, &joined) == LIMITCURVE_OK && joined.depth == 0);
+  }
   contact.depth = NAN;
   CHECK(limitcurve_finger_update(finger, &contact, 1e-3, &output) == LIMITCURVE_OK &&
         output.state == LIMITCURVE_STATE_INVALID);

@@ -32,7 +32,7 @@ Contact wall(const Vector3d& x, const Vector3d& normal, double depth) {
   return {x + normal * depth, normal, depth};
 }
 
-/// The witness: of the points nearest to x on every one, two and three walls, the nearest outside of all.
+/// The reference: of the points nearest to x on every one, two and three walls, the nearest outside of all.
 std::optional<Vector3d> nearest_outside(const std::vector<Contact>& walls) {
   std::optional<Vector3d> best;
   const std::size_t n = walls.size();
