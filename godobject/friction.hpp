@@ -232,10 +232,12 @@ template <class Real, class Number>
   // The centre of rotation seldom jumps: extrapolate the curve parameter for a warm start.
   const Number ahead = memory.search_start + memory.search_rate;
   const Number reach = Number(Real(0.1)) * smaller(memory.search_start, Number(Real(2)) - memory.search_start);
-  const Number last = select(abs(memory.search_rate) <= reach, ahead, memory.search_start);
-
   FrictionLimit<Number> limit{select(was_sliding, limits.sliding.force, limits.sticking.force),
                               select(was_sliding, limits.sliding.radius, limits.sticking.radius)};
+  // Below 1e-12 N start cold: if a(P) vanishes with the load, the root does, and from the last slip bisection takes
+  // dozens of evaluations to it.
+  const Number warm = select(abs(memory.search_rate) <= reach, ahead, memory.search_start);
+  const Number last = select(limit.force > Number(Real(1e-12)), warm, zero);
   UnitTrial<Number> unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
   // Every limit curve is convex, so a trial within the chord between the intercepts sticks.
   const auto beyond_chord =

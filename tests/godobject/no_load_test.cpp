@@ -1,16 +1,48 @@
 // SPDX-License-Identifier: MIT
 // Without a load there is no friction: with dampers every fast lift-off has steps in contact under P = 0.
+#include "godobject/friction.hpp"
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <compare>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace limitcurve::godobject::test::no_load_test {
+
+/// A number that counts the cells of a table which it looks up: the evaluations of a search.
+struct Counting {
+  double value = 0.0;
+  inline static int evaluations = 0;
+
+  Counting() = default;
+  Counting(double number) : value(number) {}
+  friend Counting operator+(Counting a, Counting b) { return a.value + b.value; }
+  friend Counting operator-(Counting a, Counting b) { return a.value - b.value; }
+  friend Counting operator*(Counting a, Counting b) { return a.value * b.value; }
+  friend Counting operator/(Counting a, Counting b) { return a.value / b.value; }
+  friend Counting operator-(Counting a) { return -a.value; }
+  friend auto operator<=>(Counting a, Counting b) = default;
+  friend Counting abs(Counting a) { return std::fabs(a.value); }
+  friend Counting sqrt(Counting a) { return std::sqrt(a.value); }
+  friend Counting larger(Counting a, Counting b) { return a < b ? b : a; }
+  friend Counting smaller(Counting a, Counting b) { return b < a ? b : a; }
+  friend std::int64_t leading_bits(Counting a, int dropped) {
+    ++evaluations;
+    return arithmetic::leading_bits(a.value, dropped);
+  }
+  friend Projected<Counting> project_along_c_curve(const CurveView<double>&, const UnitTrial<Counting>&, Counting,
+                                                   const RadiusLaw&, Counting) {
+    return {};
+  }
+};
+
 namespace {
 
 /// Fingers whose radius is constant, or a power of the load or an interpolation that is 0 or infinite without a load.
@@ -42,6 +74,31 @@ TEST(NoLoad, LimitsAreNumbersAtEveryLoad) {
       EXPECT_TRUE(at.load > 0.0 && at.sticking.radius <= 1e100) << name << ' ' << load;
       const FrictionLimits<float> single = limits.at<float>(static_cast<float>(load), 25000.0F);
       EXPECT_TRUE(std::isfinite(single.sticking.force * single.sticking.radius)) << name << ' ' << load;
+    }
+  }
+}
+
+// From one slip to the next the load falls to nothing, or to almost nothing, and comes back.
+TEST(NoLoad, ASearchIsShortAtEveryLoad) {
+  const FingerCurve curve = make_finger_curve(CurveKind::table, hertz(), 1e-8);
+  for (const Projection projection : {Projection::closest_point, Projection::radial}) {
+    for (const double growth : {1.0 / 3.0, 1.0, -0.2}) {
+      Random random(1);
+      FrictionMemory<Counting> memory;
+      int worst = 0;
+      for (int i = 0; i < 30'000; ++i) {
+        const double load = i % 3 == 0   ? random.uniform(0.1, 3.0)
+                            : i % 3 == 1 ? random.logarithmic(1e-300, 1e3)
+                                         : std::max(random.uniform(-3.0, 3.0), 0.0);
+        const FrictionLimit<Counting> limit{0.6 * load, std::min(0.005 * std::pow(load, growth), 1e100)};
+        const FrictionTrial<Counting> trial{random.logarithmic(1e-3, 10.0), random.logarithmic(1e-6, 0.1)};
+        Counting::evaluations = 0;
+        const auto result = apply_friction(curve.view(), projection, {limit, limit, 1000.0 / 0.036}, trial, memory);
+        ASSERT_FALSE(load == 0.0 && !result.slips) << i;
+        worst = std::max(worst, Counting::evaluations);
+      }
+      EXPECT_GE(worst, 5) << "it counts";
+      EXPECT_LE(worst, 16) << static_cast<int>(projection) << ' ' << growth;
     }
   }
 }
