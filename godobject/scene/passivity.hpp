@@ -23,10 +23,14 @@ namespace limitcurve::godobject {
 /// The longest delay that is checked [samples].
 inline constexpr int most_delay = 1000;
 
-/// Stability number of n fingers with spring k and damper b on a body of mass m (or k_r, b_r and the moment of inertia)
-/// under explicit steps (symplectic Euler): n(kT²/m + 2bT/m)/4. Stable if it is below 1: then the characteristic
-/// polynomial z² − (2 − β − κ)z + 1 − β, κ = nkT²/m, β = nbT/m, has its roots within the unit circle. Implicit steps
-/// have no such limit. All arguments > 0, the damping ≥ 0.
+/// Stability number of n fingers with spring k and damper b on a body under explicit steps (symplectic Euler): n(kT²/m
+/// + 2bT/m)/4. The body is stable if the sum of two such numbers is below 1: that of k, b and the mass m which the
+/// contact feels, 1/(1/m + r²/I) at a distance r from the centre of mass, and that of k_r, b_r and the moment of
+/// inertia I. If one spring acts alone, this is exact: the polynomial z² − (2 − β − κ)z + 1 − β, κ = nkT²/m, β = nbT/m,
+/// then has its roots within the unit circle. Of I take the smallest about an axis across r, for the twist the one
+/// about the normal. Implicit steps have no such limit. All arguments > 0, the damping ≥ 0.
+///
+///     explicit_coupling(k, b, 1 / (1 / m + r * r / I), T) + explicit_coupling(k_r, b_r, I, T) < 1
 [[nodiscard]] constexpr double explicit_coupling(double stiffness, double damping, double mass, double sample_time,
                                                  int fingers = 1) noexcept {
   return 0.25 * fingers * sample_time / mass * (stiffness * sample_time + 2.0 * damping);

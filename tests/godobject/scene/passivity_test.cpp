@@ -8,6 +8,7 @@
 #include "tests/integrators.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
 
 #include <numbers>
 
@@ -80,6 +81,46 @@ TEST(Passivity, ExplicitCouplingEndsWhereSaid) {
           << damping_share << ' ' << share;
     }
   }
+}
+
+// A planar body, its finger at a distance from the centre of mass: springs and dampers of both kinds act at once.
+TEST(Passivity, TheSumOfBothCouplingsIsStableAtAnyLever) {
+  const auto growth = [](double mass, double inertia, double lever, double stiffness, double damping, double twist,
+                         double twist_damping) {
+    const auto across = [&](double along, double about) {
+      Eigen::Matrix2d result;
+      result << along, along * lever, along * lever, along * lever * lever + about;
+      result.row(0) /= mass;
+      result.row(1) /= inertia;
+      return result;
+    };
+    Eigen::Matrix4d step = Eigen::Matrix4d::Identity();  // velocities first: v' = v - T M⁻¹(Kx + Cv), x' = x + T v'
+    step.bottomLeftCorner<2, 2>() = -sample_time * across(stiffness, twist);
+    step.bottomRightCorner<2, 2>() -= sample_time * across(damping, twist_damping);
+    step.topRows<2>() += sample_time * step.bottomRows<2>();
+    return step.eigenvalues().cwiseAbs().maxCoeff();
+  };
+  Random random(4);
+  int unstable_by_mass_alone = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double mass = random.logarithmic(1e-3, 1.0);
+    const double inertia = mass * random.logarithmic(1e-6, 1e-2);
+    const double lever = random.uniform(0.0, 2.0) * std::sqrt(inertia / mass);
+    const double felt = 1.0 / (1.0 / mass + lever * lever / inertia);
+    const double damping = random.uniform(0.0, 0.4) * felt / sample_time;
+    const double twist_damping = random.uniform(0.0, 0.4) * inertia / sample_time;
+    const double share = random.uniform(0.3, 0.7);
+    const double stiffness = (4.0 * share * felt / sample_time - 2.0 * damping) / sample_time;
+    const double twist = (4.0 * (0.99 - share) * inertia / sample_time - 2.0 * twist_damping) / sample_time;
+    EXPECT_NEAR(explicit_coupling(stiffness, damping, felt, sample_time) +
+                    explicit_coupling(twist, twist_damping, inertia, sample_time),
+                0.99, 1e-12);
+    EXPECT_LE(growth(mass, inertia, lever, stiffness, damping, twist, twist_damping), 1.0 + 1e-7) << i;
+    // The same by the body's whole mass, as if the finger were at its centre.
+    const double stiff = 4.0 * 0.6 * mass / (sample_time * sample_time);
+    unstable_by_mass_alone += growth(mass, inertia, lever, stiff, 0.0, 1e-9, 0.0) > 1.001;
+  }
+  EXPECT_GT(unstable_by_mass_alone, 1000);
 }
 
 // A user who goes to and fro against a spring and a damper whose force comes N samples late: at the worst pace he wins
