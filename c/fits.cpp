@@ -45,9 +45,10 @@ limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, c
       samples.back().sigma_force = sigma_forces[i];
       samples.back().sigma_moment = sigma_moments[i];
     }
-    fit::ContactFitOptions options;
+    fit::FitOptions options;
     options.gamma = gamma;
-    return converged(fit::fit_model(model, samples, law == nullptr ? nullptr : law->law, options));
+    if (law != nullptr) options.law = law->law;
+    return converged(fit::fit(fit::parse_kind(model), samples, options));
   });
 }
 
@@ -58,7 +59,7 @@ limitcurve_status limitcurve_fit_radii(const double* loads, const double* radii,
     fit::LoadSamples samples;
     for (std::size_t i = 0; i < count; ++i)
       samples.samples.push_back({loads[i], radii[i], sigmas == nullptr ? 0.0 : sigmas[i]});
-    return converged(fit::fit_model("load", samples));
+    return converged(fit::fit(fit::Kind::load, samples));
   });
 }
 

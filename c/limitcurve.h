@@ -469,7 +469,7 @@ LIMITCURVE_API limitcurve_status limitcurve_fit_slips(const char* model, const d
                                                       const double* sigma_moments, size_t count,
                                                       const limitcurve_law* law, double gamma, limitcurve_fit** fit);
 
-/* Fits the growth of `count` contact radii [m] with the load [N]: the best of a constant, P^(1/3) and a free power.
+/* Fits the growth of `count` contact radii [m] with the load [N]: c P^gamma with gamma free, as `limitcurve fit load`.
  * `sigmas` may be NULL. */
 LIMITCURVE_API limitcurve_status limitcurve_fit_radii(const double* loads, const double* radii, const double* sigmas,
                                                       size_t count, limitcurve_fit** fit);

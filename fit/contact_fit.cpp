@@ -30,10 +30,10 @@ using internal::UnitCurve;
 
 void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, const ContactFitOptions& options) {
   if (!report.converged) report.warnings.push_back("the minimiser did not converge: " + report.message);
-  if (is_exact(model)) {
-    const Estimate& radius = report.at(options.gamma != 0.0 || options.fit_gamma ? "c" : "radius");
-    if (radius.name == "radius" && radius.value > options.largest_radius) {
-      report.warnings.push_back("the law implies a contact radius of " + format_number(1e3 * radius.value, 3) +
+  if (is_exact(model) && options.gamma == 0.0 && !options.fit_gamma) {
+    const double radius = report.find(Estimate::Role::radius)->value;
+    if (radius > options.largest_radius) {
+      report.warnings.push_back("the law implies a contact radius of " + format_number(1e3 * radius, 3) +
                                 " mm, more than the finger's " + format_number(1e3 * options.largest_radius, 3) +
                                 " mm: keep mu_r as measured, independent of radius and law");
     }
@@ -185,24 +185,25 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   const double mu_r = std::exp(solution.values[1] - gamma * log_reference);
   std::vector<internal::Quantity> quantities;
   std::vector<double> jacobian;
-  const auto add = [&](std::string name, double value, std::string unit, std::array<double, 4> slopes) {
-    quantities.push_back({std::move(name), value, std::move(unit)});
+  using Role = Estimate::Role;
+  const auto add = [&](Role role, std::string name, double value, std::string unit, std::array<double, 4> slopes) {
+    quantities.push_back({std::move(name), value, std::move(unit), role});
     jacobian.insert(jacobian.end(), {slopes[0], slopes[1]});
     if (layout.shape) jacobian.push_back(slopes[2]);
     if (layout.gamma) jacobian.push_back(slopes[3]);
   };
-  add(parameters[0].name, mu, "1", {mu, 0.0, 0.0, 0.0});
-  add(parameters[1].name, mu_r, metre, {0.0, mu_r, 0.0, -mu_r * log_reference});
+  add(Role::force, parameters[0].name, mu, "1", {mu, 0.0, 0.0, 0.0});
+  add(Role::moment, parameters[1].name, mu_r, metre, {0.0, mu_r, 0.0, -mu_r * log_reference});
   if (is_exact(model)) {
     const double ratio = mu_r / mu;
-    add("ratio", ratio, metre, {-ratio, ratio, 0.0, -ratio * log_reference});
+    add(Role::ratio, "ratio", ratio, metre, {-ratio, ratio, 0.0, -ratio * log_reference});
     const double radius = ratio / curve->moment_ratio();
-    add(grows ? "c" : "radius", radius, metre,
+    add(Role::radius, grows ? "c" : "radius", radius, metre,
         {-radius, radius, -radius * curve->moment_ratio_slope() / curve->moment_ratio(), -radius * log_reference});
   }
   if (layout.shape)
-    add(curve->shape_name(), curve->parameter(shape), "1", {0.0, 0.0, curve->parameter_slope(shape), 0.0});
-  if (layout.gamma) add("gamma", gamma, "1", {0.0, 0.0, 0.0, 1.0});
+    add(Role::shape, curve->shape_name(), curve->parameter(shape), "1", {0.0, 0.0, curve->parameter_slope(shape), 0.0});
+  if (layout.gamma) add(Role::gamma, "gamma", gamma, "1", {0.0, 0.0, 0.0, 1.0});
   internal::set_estimates(fit.report, quantities, jacobian, covariance);
   fit.band = band_of(*curve, layout, covariance, mu, mu_r, log_reference);
   warn(fit.report, *curve, model, options);
@@ -214,7 +215,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
     // it.
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (Estimate& estimate : fit.report.estimates) {
-      if (estimate.name != curve->shape_name() && estimate.name != "radius" && estimate.name != "c") continue;
+      if (estimate.role != Role::shape && estimate.role != Role::radius) continue;
       if (!at_bound) estimate.value = std::numeric_limits<double>::quiet_NaN();
       estimate.std_error = infinity;
     }
@@ -255,7 +256,7 @@ ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& mode
 
 Estimate implied_radius(const Estimate& ratio, const PressureLaw& law) {
   const double moment_ratio = law.moment_ratio();
-  return {"radius", ratio.value / moment_ratio, ratio.std_error / moment_ratio, ratio.unit};
+  return {"radius", ratio.value / moment_ratio, ratio.std_error / moment_ratio, ratio.unit, Estimate::Role::radius};
 }
 
 }  // namespace limitcurve::fit

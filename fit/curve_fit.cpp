@@ -71,24 +71,10 @@ FitReport direct_report(const internal::ResidualModel& model, std::span<const do
 }
 
 std::string note_of(const Law& law, Criterion criterion) {
-  return std::string(to_string(criterion)) + " to the exact curve of " + law->name();
+  return std::string(criterion_names[static_cast<std::size_t>(criterion)]) + " to the exact curve of " + law->name();
 }
 
 }  // namespace
-
-const char* to_string(Criterion criterion) noexcept {
-  switch (criterion) {
-    case Criterion::intercepts:
-      return "intercepts";
-    case Criterion::least_squares:
-      return "least-squares";
-    case Criterion::minimax:
-      return "minimax";
-    case Criterion::inner:
-      return "inner";
-  }
-  return "";
-}
 
 CurveFit fit_ellipse(const Law& law, Criterion criterion, std::size_t points) {
   const std::vector<CurvePoint> curve = internal::curve_points(*law, points);
@@ -126,7 +112,8 @@ CurveFit fit_ellipse(const Law& law, Criterion criterion, std::size_t points) {
   if (criterion != Criterion::least_squares) {
     report = direct_report(model, std::array{ellipse.force_max(), ellipse.moment_max() / moment_ratio}, message);
   }
-  set_estimates(report, {{"force_max", ellipse.force_max(), "1"}, {"moment_max", ellipse.moment_max(), "1"}});
+  set_estimates(report, {{"force_max", ellipse.force_max(), "1", Estimate::Role::force},
+                         {"moment_max", ellipse.moment_max(), "1", Estimate::Role::moment}});
   report.note = note_of(law, criterion);
   return {ellipse, curve_error(ellipse, exact), std::move(report)};
 }

@@ -6,7 +6,9 @@
 #include "../limitcurve/validate/validate.hpp"
 #include "estimate.hpp"
 
+#include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace limitcurve::fit {
 
@@ -20,8 +22,8 @@ enum class Criterion {
   inner,          ///< the same inside the exact curve: never holds what slips
 };
 
-/// The criterion's name: intercepts, least-squares, minimax, inner.
-const char* to_string(Criterion criterion) noexcept;
+/// In the order of Criterion.
+inline constexpr std::array<std::string_view, 4> criterion_names{"intercepts", "least-squares", "minimax", "inner"};
 
 /// An ellipse that approximates the exact unit limit curve of a law, with its errors against that
 /// curve over all rays. The report's rms is over the points of the least-squares fit. Its standard

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/estimate.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace limitcurve::fit {
@@ -18,6 +19,11 @@ std::size_t index_of(const FitReport& report, std::string_view name) {
 
 const Estimate& FitReport::at(std::string_view name) const {
   return estimates[index_of(*this, name)];
+}
+
+const Estimate* FitReport::find(Estimate::Role role) const noexcept {
+  const auto found = std::ranges::find(estimates, role, &Estimate::role);
+  return found == estimates.end() ? nullptr : &*found;
 }
 
 double FitReport::correlation_of(std::string_view first, std::string_view second) const {

@@ -10,11 +10,22 @@ namespace limitcurve::fit {
 
 /// One fitted (or derived) quantity.
 struct Estimate {
+  /// What it is of the contact, whatever its name and unit.
+  enum class Role {
+    force,   ///< mu, force_max
+    moment,  ///< mu_r, moment_max
+    ratio,
+    radius,  ///< radius, or c where it grows with the load
+    shape,   ///< n or k of a family of laws
+    gamma,
+    other,  ///< of the data or the fit
+  };
   std::string name;  ///< as the function that fits lists them, such as "mu"
   double value = 0.0;
   /// Standard error, in the unit of the value; 0 for a fixed parameter, NaN in a fit to a curve, which has no noise.
   double std_error = 0.0;
   std::string unit;  ///< SI, "1" if none
+  Role role = Role::other;
 };
 
 /// The report of a fit. The standard errors come from the curvature of the cost at the solution, a linear
@@ -45,6 +56,8 @@ struct FitReport {
 
   /// The estimate with this name; throws std::out_of_range if there is none.
   [[nodiscard]] const Estimate& at(std::string_view name) const;
+  /// The estimate with this role; null if there is none.
+  [[nodiscard]] const Estimate* find(Estimate::Role role) const noexcept;
   /// Correlation of two estimates by name; throws std::out_of_range if there is none.
   [[nodiscard]] double correlation_of(std::string_view first, std::string_view second) const;
 };

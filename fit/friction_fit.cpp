@@ -135,19 +135,19 @@ FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, doubl
   if (share.size() < 3) throw std::invalid_argument(std::to_string(share.size()) + " pushes, expected at least 3");
   const Line of_exact = regress(share, exact);
   const Line of_ellipsoid = regress(share, ellipsoid);
-  FrictionFit fit{{{"mu", of_exact.mean, of_exact.mean_error, unit},
-                   {"drift", of_exact.drift, of_exact.drift_error, "1"},
-                   {"mu_ellipsoid", of_ellipsoid.mean, of_ellipsoid.mean_error, unit},
-                   {"drift_ellipsoid", of_ellipsoid.drift, of_ellipsoid.drift_error, "1"}},
-                  suspicious_units(patch, pushes),
-                  internal::note_of_few_rows(share.size() - 1)};
-  for (Estimate& drift : fit.estimates) {
-    if (drift.unit != "1" || !(std::fabs(drift.value) > 1.0) || drift.name.find("drift") != 0) continue;
-    fit.warnings.push_back(drift.name + ": no estimate, for " + format_number(drift.value, 3) + " +- " +
-                           format_number(drift.std_error, 3) +
-                           " is more than mu itself: the shares of rotation hardly differ");
-    drift.value = drift.std_error = std::numeric_limits<double>::quiet_NaN();
-  }
+  FrictionFit fit{{}, suspicious_units(patch, pushes), internal::note_of_few_rows(share.size() - 1)};
+  const auto add = [&](const std::string& which, const Line& line) {
+    Estimate drift{"drift" + which, line.drift, line.drift_error, "1"};
+    if (std::fabs(drift.value) > 1.0) {
+      fit.warnings.push_back(drift.name + ": no estimate, for " + format_number(drift.value, 3) + " +- " +
+                             format_number(drift.std_error, 3) +
+                             " is more than mu itself: the shares of rotation hardly differ");
+      drift.value = drift.std_error = std::numeric_limits<double>::quiet_NaN();
+    }
+    fit.estimates.insert(fit.estimates.end(), {{"mu" + which, line.mean, line.mean_error, unit}, drift});
+  };
+  add("", of_exact);
+  add("_ellipsoid", of_ellipsoid);
   if (!against.empty()) {
     fit.warnings.insert(fit.warnings.begin(), internal::listed("push", "pushes", internal::names_of(pushes, against)) +
                                                   " of " + std::to_string(found.size()) +

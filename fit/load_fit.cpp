@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace limitcurve::fit {
 
@@ -146,7 +147,9 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
   const double gamma = fit_gamma ? solution.values[1] : fixed_gamma(model);
   const double coefficient = std::exp(solution.values[0] - (gamma + data.offset) * data.log_reference);
   const std::array<internal::Quantity, 2> quantities{
-      {{parameters[0].name, coefficient, gamma == 0.0 && !fit_gamma ? "m" : "m/N^gamma"}, {"gamma", gamma, "1"}}};
+      {{parameters[0].name, coefficient, gamma == 0.0 && !fit_gamma ? "m" : "m/N^gamma",
+        data.offset > 0.0 ? Estimate::Role::moment : Estimate::Role::radius},
+       {"gamma", gamma, "1", Estimate::Role::gamma}}};
   if (fit_gamma) {
     internal::set_estimates(fit.report, quantities,
                             std::array{coefficient, -coefficient * data.log_reference, 0.0, 1.0}, covariance);
@@ -187,19 +190,8 @@ void check_assumptions(LoadFit& fit, const LoadSamples& samples, const Loss& los
 
 }  // namespace
 
-const char* to_string(LoadModel model) noexcept {
-  switch (model) {
-    case LoadModel::linear:
-      return "linear";
-    case LoadModel::hertz:
-      return "hertz";
-    case LoadModel::power:
-      return "power";
-  }
-  return "";
-}
-
 LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss) {
+  if (model == LoadModel::best) return std::move(select_load(samples, loss).candidates.front());
   LoadFit fit = fit_prepared(prepare(samples, loss), model, loss);
   check_assumptions(fit, samples, loss);
   return fit;

@@ -4,7 +4,9 @@
 #include "estimate.hpp"
 #include "measurements.hpp"
 
-#include <string>
+#include <array>
+#include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace limitcurve::fit {
@@ -14,15 +16,19 @@ enum class LoadModel {
   linear,  ///< γ = 0: constant radius, the paper's Γ = μ_r P
   hertz,   ///< γ = 1/3: elastic sphere
   power,   ///< γ free, −0.5 to 1.5 (physical: 0 to 1/3)
+  best,    ///< of these, by AIC
 };
 
-/// linear, hertz, power.
-const char* to_string(LoadModel model) noexcept;
+/// In the order of LoadModel.
+inline constexpr std::array<std::string_view, 4> load_model_names{"linear", "hertz", "power", "best"};
+constexpr const char* to_string(LoadModel model) noexcept {
+  return load_model_names[static_cast<std::size_t>(model)].data();
+}
 
 /// Estimates c [m/N^γ] (from radii) or mu_r [m/N^γ] (from moments), then gamma [1]; the standard error of a fixed γ is
 /// 0.
 struct LoadFit {
-  LoadModel model;
+  LoadModel model;  ///< never `best`
   FitReport report;
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace limitcurve::fit {
@@ -44,14 +46,27 @@ struct Loss {
   Kind kind = Kind::squared;
   double scale = 1.0;
 
+  /// With its default scale.
+  static constexpr Loss of(Kind kind) noexcept {
+    switch (kind) {
+      case Kind::squared:
+        return squared();
+      case Kind::huber:
+        return huber();
+      case Kind::cauchy:
+        return cauchy();
+    }
+    return {};
+  }
   static constexpr Loss squared() noexcept { return {}; }
   static constexpr Loss huber(double scale = 1.345) noexcept { return {Kind::huber, scale}; }
   static constexpr Loss cauchy(double scale = 2.385) noexcept { return {Kind::cauchy, scale}; }
 };
 
-/// squared, huber, cauchy.
+/// In the order of Loss::Kind.
+inline constexpr std::array<std::string_view, 3> loss_names{"squared", "huber", "cauchy"};
 constexpr const char* to_string(Loss::Kind kind) noexcept {
-  return kind == Loss::Kind::squared ? "squared" : kind == Loss::Kind::huber ? "huber" : "cauchy";
+  return loss_names[static_cast<std::size_t>(kind)].data();
 }
 
 }  // namespace limitcurve::fit

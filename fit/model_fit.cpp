@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "fit/model_fit.hpp"
 
+#include "limitcurve/internal/names.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 
 #include <stdexcept>
-#include <string>
-#include <utility>
 
 namespace limitcurve::fit {
 
 namespace {
 
-std::invalid_argument unknown(std::string_view model, const char* expected) {
-  return std::invalid_argument("model '" + std::string(model) + "': expected " + expected);
-}
+using Slips = std::span<const Sample>;
+using Ratios = std::span<const RatioSample>;
 
 /// A sentence with the radius that the ratio implies under each common law.
 std::string radii(const Estimate& ratio) {
@@ -27,43 +25,82 @@ std::string radii(const Estimate& ratio) {
   return text;
 }
 
+template <class Wanted>
+const Wanted& only(Kind kind, const Data& data, const char* expected) {
+  if (const auto* const found = std::get_if<Wanted>(&data)) return *found;
+  throw std::invalid_argument("fit " + std::string(kind_names[static_cast<std::size_t>(kind)]) + ": expected " +
+                              expected);
+}
+
+ModelFit of_contact(ContactFit fit) {
+  return {std::move(fit.model), std::move(fit.report), std::nullopt, std::move(fit.residuals)};
+}
+
+ModelFit best_law(Slips slips, const FitOptions& options) {
+  LawSelection selection = select_law(slips, options);
+  std::vector<std::pair<std::string, double>> candidates;
+  for (std::size_t i = 0; i < selection.candidates.size(); ++i)
+    candidates.emplace_back(selection.candidates[i].model, selection.aic_difference[i]);
+  ModelFit best = of_contact(std::move(selection.candidates.front()));
+  best.candidates = std::move(candidates);
+  return best;
+}
+
+ModelFit growth(const LoadSamples& samples, const FitOptions& options) {
+  const bool compares = options.load_model == LoadModel::best || options.load_model == LoadModel::power;
+  const LoadSelection selection = compares ? select_load(samples, options.loss) : LoadSelection{};
+  const LoadFit found = options.load_model == LoadModel::best ? selection.candidates.front()
+                                                              : fit_load(samples, options.load_model, options.loss);
+  ModelFit fit{to_string(found.model), found.report, std::nullopt};
+  for (std::size_t i = 0; i < selection.candidates.size(); ++i)
+    fit.candidates.emplace_back(to_string(selection.candidates[i].model), selection.aic_difference[i]);
+  return fit;
+}
+
 }  // namespace
 
-ModelFit fit_model(std::string_view model, const Law& law, Criterion criterion) {
-  if (model != "ellipse") throw unknown(model, "ellipse for the curve of a law");
-  const CurveFit fit = fit_ellipse(law, criterion);
-  return {std::string(model), fit.report, fit.error};
+Kind parse_kind(std::string_view text) {
+  return parse_name<Kind>(kind_names, "model", text);
 }
 
-ModelFit fit_model(std::string_view model, std::span<const Sample> samples, const Law& law,
-                   const ContactFitOptions& options) {
-  using Kind = ContactModel::Kind;
-  const auto done = [](ContactFit fit) {
-    return ModelFit{std::move(fit.model), std::move(fit.report), std::nullopt, std::move(fit.residuals)};
-  };
-  if (model == "ellipse") return done(fit_contact(samples, {Kind::ellipse}, options));
-  if (model == "law") {
-    if (law) return done(fit_contact(samples, ContactModel::of(law), options));
-    return done(std::move(select_law(samples, options).candidates.front()));
+ModelFit fit(Kind kind, const Data& data, const FitOptions& options) {
+  const Law law = options.law ? options.law : hertz();
+  switch (kind) {
+    case Kind::ellipse: {
+      if (const Law* const curve = std::get_if<Law>(&data)) {
+        const CurveFit found = fit_ellipse(checked(*curve), options.criterion);
+        return {"ellipse", found.report, found.error};
+      }
+      return of_contact(fit_contact(only<Slips>(kind, data, "slips or a law"), {ContactModel::Kind::ellipse}, options));
+    }
+    case Kind::ratio: {
+      if (const auto* const ratios = std::get_if<Ratios>(&data))
+        return {"ratio", fit_ratio(*ratios, *law), std::nullopt};
+      ModelFit found =
+          of_contact(fit_contact(only<Slips>(kind, data, "slips or published ratios"), ContactModel::of(law), options));
+      if (options.gamma == 0.0 && !options.fit_gamma)
+        found.report.warnings.push_back(radii(*found.report.find(Estimate::Role::ratio)));
+      return found;
+    }
+    case Kind::law: {
+      const Slips measured = only<Slips>(kind, data, "slips of load, force and moment");
+      return options.law ? of_contact(fit_contact(measured, ContactModel::of(law), options))
+                         : best_law(measured, options);
+    }
+    case Kind::load:
+      return growth(only<LoadSamples>(kind, data, "radii or moments at several loads"), options);
+    case Kind::friction: {
+      const auto& [patch, pushes, load] = only<Pushes>(kind, data, "pushes of a patch");
+      FrictionFit found = fit_friction(patch, pushes, load.value_or(1.0), load ? "1" : "N");
+      ModelFit fit{"friction", {}, std::nullopt};
+      fit.report.estimates = std::move(found.estimates);
+      fit.report.warnings = std::move(found.warnings);
+      fit.report.note = std::move(found.note);
+      fit.report.converged = true;
+      return fit;
+    }
   }
-  if (model == "ratio") {
-    ModelFit fit = done(fit_contact(samples, ContactModel::of(law ? law : hertz()), options));
-    if (options.gamma == 0.0 && !options.fit_gamma) fit.report.warnings.push_back(radii(fit.report.at("ratio")));
-    return fit;
-  }
-  throw unknown(model, "ellipse, ratio or law for samples of load, force and moment");
-}
-
-ModelFit fit_model(std::string_view model, std::span<const RatioSample> samples, const Law& law) {
-  if (model != "ratio") throw unknown(model, "ratio for published ratios");
-  return {"ratio", fit_ratio(samples, *(law ? law : hertz())), std::nullopt};
-}
-
-ModelFit fit_model(std::string_view model, const LoadSamples& samples, const Loss& loss) {
-  if (model != "load") throw unknown(model, "load for samples of radius or moment over the load");
-  LoadSelection selection = select_load(samples, loss);
-  LoadFit& best = selection.candidates.front();
-  return {to_string(best.model), std::move(best.report), std::nullopt};
+  return {};
 }
 
 }  // namespace limitcurve::fit

@@ -3,16 +3,50 @@
 
 #include "contact_fit.hpp"
 #include "curve_fit.hpp"
+#include "friction_fit.hpp"
 #include "load_fit.hpp"
 #include "ratio_fit.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
-/// Fits selected by name, for programs that get the name from a user.
+/// Every fit by one function, with the same defaults in each language and on the command line.
 namespace limitcurve::fit {
+
+/// What to fit, and the data that it takes.
+enum class Kind {
+  ellipse,  ///< the nearest ellipse, to slips or to the exact curve of a law
+  ratio,    ///< mu, mu_r and the radius that they imply under the law, from slips or from published ratios
+  law,      ///< the same for the law of the options, or, without one, for the law that explains the slips best
+  load,     ///< a(P) or mu_r(P), from radii or moments at several loads
+  friction  ///< mu of a patch, from pushes
+};
+
+/// In the order of Kind.
+inline constexpr std::array<std::string_view, 5> kind_names{"ellipse", "ratio", "law", "load", "friction"};
+/// Throws std::invalid_argument that lists the names.
+Kind parse_kind(std::string_view text);
+
+/// Pushes of a patch, which must outlive them.
+struct Pushes {
+  const Patch& patch;
+  std::span<const Push> pushes;
+  std::optional<double> load;  ///< P [N]; without it mu is mu P [N]
+};
+
+using Data = std::variant<Law, std::span<const Sample>, std::span<const RatioSample>, LoadSamples, Pushes>;
+
+struct FitOptions : ContactFitOptions {
+  Law law;                                         ///< for ratio (default Hertz) and law
+  Criterion criterion = Criterion::least_squares;  ///< for ellipse, to the curve of a law
+  LoadModel load_model = LoadModel::power;         ///< for load
+};
 
 /// The result of a fit of any kind: `report.estimates` are the rows parameter, value, std_error, unit.
 struct ModelFit {
@@ -21,22 +55,13 @@ struct ModelFit {
   std::optional<CurveError> error;  ///< against the exact curve, for fits to a law
   /// For fits to slips: distance of each sample from the curve in standard deviations, positive outside.
   std::vector<double> residuals = {};
+  /// The models that were compared, best first, and their AIC minus that of the best; empty if none were.
+  std::vector<std::pair<std::string, double>> candidates = {};
 };
 
-/// Fits `ellipse` to the exact curve of a law, in unit wrenches.
-/// All four throw std::invalid_argument that lists the models for an unknown name.
-ModelFit fit_model(std::string_view model, const Law& law, Criterion criterion = Criterion::least_squares);
-
-/// Fits `ellipse`, `ratio` or `law` to samples. `ratio` reports mu, mu_r, ratio, radius under the
-/// law (default Hertz), with a warning that lists the radius under each other common law; `law`
-/// does the same for the given law, or finds the law that explains the samples best.
-ModelFit fit_model(std::string_view model, std::span<const Sample> samples, const Law& law = nullptr,
-                   const ContactFitOptions& options = {});
-
-/// Fits `ratio` to published ratios of several materials, under the law (default Hertz).
-ModelFit fit_model(std::string_view model, std::span<const RatioSample> samples, const Law& law = nullptr);
-
-/// Fits `load` to radii or moments at several loads: the best of linear, hertz and power.
-ModelFit fit_model(std::string_view model, const LoadSamples& samples, const Loss& loss = {});
+/// Fits `ratio` with a warning that lists the radius under each other common law, and `load` with a free exponent
+/// unless `load_model` says otherwise; options of other kinds or data have no effect. Throws std::invalid_argument for
+/// data of another kind, and what the fit throws.
+ModelFit fit(Kind kind, const Data& data, const FitOptions& options = {});
 
 }  // namespace limitcurve::fit

@@ -51,7 +51,7 @@ FitReport fit_ratio(std::span<const RatioSample> samples, const PressureLaw& law
   const auto freedom = static_cast<double>(samples.size() - 1);
   constexpr double significant = 0.05;
   const Estimate ratio{"ratio", mean, counted ? 1.0 / std::sqrt(weights) : std::numeric_limits<double>::quiet_NaN(),
-                       "m"};
+                       "m", Estimate::Role::ratio};
   FitReport report;
   report.estimates = {ratio, implied_radius(ratio, law)};
   if (counted) {

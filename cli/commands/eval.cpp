@@ -30,13 +30,12 @@ class Eval final : public Subcommand {
     options.number("--radius", radius_, positive, "Contact radius a [m] (default 1)");
     options.number("--load", load_, non_negative, "Normal load P [N]");
     options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]");
-    options.choice("--method", method_, {method_names().begin(), method_names().end()},
-                   "Method that evaluates eq. (17)");
+    options.choice("--method", method_, method_names(), "Method that evaluates eq. (17)");
   }
 
   void run(const Results& results) override {
     results.messages->say(law_->remarks());
-    const Method method = method_of(*law_, method_names()[method_]);
+    const Method method = method_of(*law_, to_string(method_));
     const double radius = radius_.value_or(1.0);
     const double force_unit = friction_ * load_;
     const double moment_unit = force_unit * radius;
@@ -62,7 +61,7 @@ class Eval final : public Subcommand {
   std::optional<double> radius_;
   double load_ = 1.0;
   double friction_ = 1.0;
-  std::size_t method_ = 0;
+  Method method_ = Method::automatic;
 };
 
 }  // namespace

@@ -15,15 +15,11 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 namespace limitcurve::cli {
 
 namespace {
-
-const std::vector<std::string> models{"ellipse", "ratio", "law", "load", "friction"};
-const std::vector<std::string> criteria{"intercepts", "least-squares", "minimax", "inner"};
-const std::vector<std::string> losses{"squared", "huber", "cauchy"};
-const std::vector<std::string> load_models{"linear", "hertz", "power", "best"};
 
 class Fit final : public Subcommand {
  public:
@@ -60,16 +56,17 @@ class Fit final : public Subcommand {
   }
 
   void declare(Options& options) override {
-    options.choice("MODEL", model_, models, "What to fit", Presence::required);
+    options.choice("MODEL", kind_, fit::kind_names, "What to fit", Presence::required);
     options.text("--data", data_, "FILE", "CSV of measurements, or - for standard input");
     options.file_columns(file_columns_);
     options.least_load(file_columns_);
-    options.law(law_, Presence::optional);
+    options.law(settings_.law, Presence::optional);
     options.text("--patch", patch_, "PATCH", "For friction: the pressure patch");
     options.number("--load", load_, positive, "For friction: normal load P [N]; without it mu is mu P [N]");
-    options.choice("--criterion", criterion_, criteria, "What an approximation of the exact curve minimises");
-    options.choice("--loss", loss_, losses, "Loss function: the weight of outliers");
-    options.choice("--load-model", load_model_, load_models,
+    options.choice("--criterion", settings_.criterion, fit::criterion_names,
+                   "What an approximation of the exact curve minimises");
+    options.choice("--loss", settings_.loss.kind, fit::loss_names, "Loss function: the weight of outliers");
+    options.choice("--load-model", settings_.load_model, fit::load_model_names,
                    "For load: growth of the radius, c P^gamma with gamma 0, 1/3 or free; or the best of them");
     options.number("--gamma", settings_.gamma, finite, "Exponent of the contact radius a = c P^gamma, from -0.5 to 1");
     options.flag("--fit-gamma", settings_.fit_gamma, "Fit gamma to the data, too");
@@ -83,25 +80,27 @@ class Fit final : public Subcommand {
   void run(const Results& results) override {
     messages_ = results.messages;
     file_columns_.messages = messages_;
-    if (law_ != nullptr) messages_->say(law_->remarks());
+    if (settings_.law != nullptr) messages_->say(settings_.law->remarks());
+    settings_.loss = fit::Loss::of(settings_.loss.kind);
     if (data_.empty() && (file_columns_.given() || file_columns_.least_load))
       throw std::invalid_argument("--columns, --units, --least-load: go with --data");
-    if (covariance_ && (data_.empty() || models[model_] == "friction"))
+    if (covariance_ && (data_.empty() || kind_ == fit::Kind::friction))
       throw std::invalid_argument("--covariance: only with --data, and not for fit friction");
-    if (residuals_ && (data_.empty() || (models[model_] != "law" && models[model_] != "ellipse")))
+    if (residuals_ && (data_.empty() || (kind_ != fit::Kind::law && kind_ != fit::Kind::ellipse)))
       throw std::invalid_argument("--residuals: only for a curve that is fitted to the slips of --data, got fit " +
-                                  models[model_]);
+                                  name());
     tell_idle();
-    if (models[model_] == "friction") {
-      const fit::FrictionFit found = friction();
-      return write(results, found.estimates, patch_ + found.note);
-    }
-    if (!patch_.empty()) throw std::invalid_argument("--patch: only for fit friction, got fit " + models[model_]);
-    if (load_) throw std::invalid_argument("--load: only for fit friction, got fit " + models[model_]);
-    const fit::ModelFit found = data_.empty() ? curve_fit() : data_fit();
-    if (found.model != models[model_]) say("note", "the model is " + found.model);
-    describe(found);
+    const bool is_friction = kind_ == fit::Kind::friction;
+    if (!is_friction && !patch_.empty())
+      throw std::invalid_argument("--patch: only for fit friction, got fit " + name());
+    if (!is_friction && load_) throw std::invalid_argument("--load: only for fit friction, got fit " + name());
+    const fit::ModelFit found = this->found();
+    for (const auto& [model, difference] : found.candidates)
+      say("note", model + ": AIC " + format_number(difference, 3) + " above the best");
+    if (kind_ != fit::Kind::load && found.model != name()) say("note", "the model is " + found.model);
+    if (!is_friction) describe(found);
     for (const std::string& warning : found.report.warnings) say("warning", warning);
+    if (is_friction) return write(results, found.report.estimates, patch_ + found.report.note);
     warn_of_units(found.report);
     if (!found.report.converged) throw std::runtime_error("the fit did not converge: " + found.report.message);
     if (residuals_) {
@@ -142,9 +141,10 @@ class Fit final : public Subcommand {
     rows.finish();
   }
 
-  [[nodiscard]] fit::FrictionFit friction() {
+  [[nodiscard]] std::string name() const { return std::string(fit::kind_names[static_cast<std::size_t>(kind_)]); }
+
+  [[nodiscard]] fit::ModelFit friction() {
     if (patch_.empty()) throw std::invalid_argument("--patch is required to fit 'friction'");
-    if (data_.empty()) throw std::invalid_argument("--data is required to fit 'friction'");
     const Patch patch = read_patch(patch_, *messages_);
     if (load_) {
       *load_ *= file_columns_.force;
@@ -154,9 +154,7 @@ class Fit final : public Subcommand {
     }
     const std::vector<fit::Push> pushes = read_pushes(data_, file_columns_);
     try {
-      fit::FrictionFit found = fit::fit_friction(patch, pushes, load_.value_or(1.0), load_ ? "1" : "N");
-      for (const std::string& warning : found.warnings) say("warning", warning);
-      return found;
+      return fit::fit(kind_, fit::Pushes{patch, pushes, load_}, settings_);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument((data_ == "-" ? "standard input" : data_) + ": " + error.what());
     }
@@ -164,22 +162,22 @@ class Fit final : public Subcommand {
 
   /// Says which options change nothing.
   void tell_idle() const {
-    const std::string& model = models[model_];
+    using fit::Kind;
+    const fit::FitOptions standard;
     const bool has_data = !data_.empty();
-    const bool of_slips = has_data && model != "load" && model != "friction";
+    const bool of_slips = has_data && kind_ != Kind::load && kind_ != Kind::friction;
     std::string idle;
     const auto ask = [&](const char* option, bool given, bool used) {
       if (given && !used) idle += (idle.empty() ? "" : ", ") + std::string(option);
     };
-    ask("--law", law_ != nullptr, !has_data || model == "law" || model == "ratio");
-    ask("--criterion", criterion_ != 1, !has_data);
-    ask("--loss", loss_ != 0, has_data && model != "friction");
+    ask("--law", settings_.law != nullptr, !has_data || kind_ == Kind::law || kind_ == Kind::ratio);
+    ask("--criterion", settings_.criterion != standard.criterion, !has_data);
+    ask("--loss", settings_.loss.kind != standard.loss.kind, has_data && kind_ != Kind::friction);
     ask("--gamma", settings_.gamma != 0.0, of_slips);
     ask("--fit-gamma", settings_.fit_gamma, of_slips);
-    ask("--load-model", load_model_ != 2, model == "load");
-    ask("--largest-radius", settings_.largest_radius != fit::ContactFitOptions{}.largest_radius,
-        of_slips && model != "ellipse");
-    if (!idle.empty()) say("warning", idle + ": without effect on fit " + model + (has_data ? "" : " without --data"));
+    ask("--load-model", settings_.load_model != standard.load_model, kind_ == Kind::load);
+    ask("--largest-radius", settings_.largest_radius != standard.largest_radius, of_slips && kind_ != Kind::ellipse);
+    if (!idle.empty()) say("warning", idle + ": without effect on fit " + name() + (has_data ? "" : " without --data"));
   }
 
   /// A note or warning that the user must know before using the numbers.
@@ -191,7 +189,7 @@ class Fit final : public Subcommand {
   void warn_of_units(const fit::FitReport& report) const {
     constexpr double largest_radius = 0.1;
     for (const fit::Estimate& estimate : report.estimates) {
-      if ((estimate.name != "radius" && estimate.name != "c") || !(estimate.value > largest_radius)) continue;
+      if (estimate.role != fit::Estimate::Role::radius || !(estimate.value > largest_radius)) continue;
       say("warning",
           estimate.name + " = " + format_number(estimate.value, 3) + " " + estimate.unit + ": are the data in metres?");
     }
@@ -214,26 +212,23 @@ class Fit final : public Subcommand {
 
   /// The fitted finger as options of replay and as fields of FingerParameters.
   void suggest_parameters(const fit::ModelFit& found) const {
-    const std::vector<fit::Estimate>& estimates = found.report.estimates;
-    const auto value = [&](const std::string& name, double otherwise) {
-      for (const fit::Estimate& estimate : estimates) {
-        if (estimate.name == name) return estimate.value;
-      }
-      return otherwise;
-    };
-    if (estimates.front().name == "ratio") return;  // without mu there is no finger
-    const bool follows_outliers = found.report.scatter_refused && loss_ == 0;
-    if (models[model_] == "law" && (found.report.gamma_refused || follows_outliers)) {
+    using Role = fit::Estimate::Role;
+    const fit::Estimate* const mu = found.report.find(Role::force);
+    const fit::Estimate* const mu_r = found.report.find(Role::moment);
+    if (kind_ == fit::Kind::ratio && mu == nullptr) return;  // without mu there is no finger
+    const bool follows_outliers = found.report.scatter_refused && settings_.loss.kind == fit::Loss::Kind::squared;
+    if (kind_ == fit::Kind::law && (found.report.gamma_refused || follows_outliers)) {
       return say("note", std::string("no parameters suggested: the data reject this model; add") +
                              (found.report.gamma_refused ? " --fit-gamma" : "") +
                              (follows_outliers ? " --loss cauchy" : ""));
     }
-    const double gamma = value("gamma", settings_.gamma);
+    const fit::Estimate* const fitted = found.report.find(Role::gamma);
+    const double gamma = fitted != nullptr ? fitted->value : settings_.gamma;
     const std::string growth = format_number(gamma, digits);
     // FingerParameters accepts no other exponent.
     if (!(gamma >= -0.5 && gamma <= 1.0)) return;
-    if (estimates.front().name == "c") {
-      const std::string c = format_number(estimates.front().value, digits);
+    if (mu_r == nullptr) {
+      const std::string c = format_number(found.report.find(Role::radius)->value, digits);
       if (gamma >= 0.0) {
         say("note", "for replay: --radius-law power:c=" + c + ",gamma=" + growth +
                         "; for FingerParameters: .radius_law = RadiusLaw::power(" + c + ", " + growth + ")");
@@ -248,12 +243,12 @@ class Fit final : public Subcommand {
     };
     const std::string law = law_of(found);
     if (!law.empty()) options = " --law " + shell_word(law);
-    if (found.model == "ellipse") options = " --curve ellipse";
-    const bool of_load = estimates.front().name == "mu_r";
-    if (!of_load) add("mu", "mu", format_number(estimates[0].value, digits));
-    add("mu-r", "mu_r", format_number(estimates[of_load ? 0 : 1].value, digits));
+    const bool is_ellipse = kind_ == fit::Kind::ellipse;
+    if (is_ellipse) options = " --curve ellipse";
+    if (mu != nullptr) add("mu", "mu", format_number(mu->value, digits));
+    add("mu-r", "mu_r", format_number(mu_r->value, digits));
     if (gamma != 0.0) add("gamma", "gamma", growth);
-    if (!of_load && (!law.empty() || found.model == "ellipse") && std::filesystem::exists(descriptor::path_of(data_))) {
+    if (mu != nullptr && (!law.empty() || is_ellipse) && std::filesystem::exists(descriptor::path_of(data_))) {
       say("note", "for the load that would hold each row: limitcurve hold" + options + " --data " + shell_word(data_) +
                       file_columns_.options +
                       (file_columns_.least_load ? " --least-load " + format_number(*file_columns_.least_load) : ""));
@@ -262,34 +257,38 @@ class Fit final : public Subcommand {
   }
 
   /// The law as a value of --law; "" if the curve belongs to no law or its shape is unknown.
-  [[nodiscard]] static std::string law_of(const fit::ModelFit& found) {
-    for (const fit::Estimate& estimate : found.report.estimates) {
-      if (estimate.name == "n" || estimate.name == "k") {
-        return std::isfinite(estimate.value)
-                   ? found.model + ":" + estimate.name + "=" + format_number(estimate.value, digits)
-                   : "";
-      }
+  [[nodiscard]] std::string law_of(const fit::ModelFit& found) const {
+    if (kind_ == fit::Kind::ellipse || kind_ == fit::Kind::load) return "";
+    const fit::Estimate* const shape = found.report.find(fit::Estimate::Role::shape);
+    if (shape == nullptr) return found.model;
+    return std::isfinite(shape->value) ? found.model + ":" + shape->name + "=" + format_number(shape->value, digits)
+                                       : "";
+  }
+
+  [[nodiscard]] fit::ModelFit found() {
+    using fit::Kind;
+    if (data_.empty()) {
+      if (kind_ != Kind::ellipse) throw std::invalid_argument("--data is required to fit '" + name() + "'");
+      if (settings_.law == nullptr)
+        throw std::invalid_argument("--data or --law is required, to fit to measurements or to the exact curve");
+      return fit::fit(kind_, settings_.law, settings_);
     }
-    return found.report.estimates.front().name == "mu" ? found.model : "";
+    switch (kind_) {
+      case Kind::ellipse:
+      case Kind::law:
+        return fit::fit(kind_, asked(read_slip_samples(data_, file_columns_)), settings_);
+      case Kind::ratio:
+        return std::visit([this](const auto& data) { return fit::fit(kind_, asked(data), settings_); },
+                          read_ratio_data(data_, file_columns_));
+      case Kind::load:
+        return fit::fit(kind_, asked(read_load_samples(data_, file_columns_)), settings_);
+      case Kind::friction:
+        return friction();
+    }
+    return {};
   }
 
-  [[nodiscard]] fit::ModelFit curve_fit() const {
-    if (models[model_] != "ellipse") throw std::invalid_argument("--data is required to fit '" + models[model_] + "'");
-    if (law_ == nullptr)
-      throw std::invalid_argument("--data or --law is required, to fit to measurements or to the exact curve");
-    return fit::fit_model(models[model_], law_, static_cast<fit::Criterion>(criterion_));
-  }
-
-  [[nodiscard]] fit::ModelFit data_fit() {
-    settings_.loss = loss_ == 0 ? fit::Loss::squared() : loss_ == 1 ? fit::Loss::huber() : fit::Loss::cauchy();
-    if (models[model_] == "ratio") return ratio_fit();
-    if (models[model_] == "law" && law_ == nullptr) return law_fit(asked(read_slip_samples(data_, file_columns_)));
-    if (models[model_] != "load")
-      return fit::fit_model(models[model_], asked(read_slip_samples(data_, file_columns_)), law_, settings_);
-    return load_fit(read_load_samples(data_, file_columns_));
-  }
-
-  /// The same slips, after the questions about their units: the fit itself may fail.
+  /// The same data, after the questions about their units: the fit itself may fail.
   [[nodiscard]] const std::vector<fit::Sample>& asked(const std::vector<fit::Sample>& slips) const {
     UnitChecks questions;
     for (const fit::Sample& slip : slips) {
@@ -301,56 +300,30 @@ class Fit final : public Subcommand {
     return slips;
   }
 
-  [[nodiscard]] fit::ModelFit ratio_fit() const {
-    const auto data = read_ratio_data(data_, file_columns_);
-    if (const auto* slips = std::get_if<std::vector<fit::Sample>>(&data))
-      return fit::fit_model("ratio", asked(*slips), law_, settings_);
-    if (loss_ != 0)
-      throw std::invalid_argument("--loss: published ratios are averaged, expected squared, got " + losses[loss_]);
-    return fit::fit_model("ratio", std::get<std::vector<fit::RatioSample>>(data), law_);
-  }
-
-  [[nodiscard]] fit::ModelFit law_fit(const std::vector<fit::Sample>& samples) const {
-    fit::LawSelection selection = fit::select_law(samples, settings_);
-    for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
-      say("note",
-          selection.candidates[i].model + ": AIC " + format_number(selection.aic_difference[i], 3) + " above the best");
+  [[nodiscard]] const std::vector<fit::RatioSample>& asked(const std::vector<fit::RatioSample>& ratios) const {
+    if (settings_.loss.kind != fit::Loss::Kind::squared) {
+      throw std::invalid_argument(std::string("--loss: published ratios are averaged, expected squared, got ") +
+                                  fit::to_string(settings_.loss.kind));
     }
-    fit::ContactFit& best = selection.candidates.front();
-    return {best.model, std::move(best.report), std::nullopt, std::move(best.residuals)};
+    return ratios;
   }
 
-  [[nodiscard]] fit::ModelFit load_fit(const fit::LoadSamples& samples) const {
+  [[nodiscard]] const fit::LoadSamples& asked(const fit::LoadSamples& samples) const {
     UnitChecks questions;
     for (const auto& sample : samples.samples) questions.load(sample.load);
     messages_->say(questions.lines());
-    const std::string& wanted = load_models[load_model_];
-    if (wanted == "linear" || wanted == "hertz") {
-      const auto model = wanted == "linear" ? fit::LoadModel::linear : fit::LoadModel::hertz;
-      return {"load", fit::fit_load(samples, model, settings_.loss).report, std::nullopt};
-    }
-    const fit::LoadSelection selection = fit::select_load(samples, settings_.loss);
-    for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
-      say("note", std::string(fit::to_string(selection.candidates[i].model)) + ": AIC " +
-                      format_number(selection.aic_difference[i], 3) + " above the best");
-    }
-    if (wanted == "best") return {"load", selection.candidates.front().report, std::nullopt};
-    return {"load", fit::fit_load(samples, fit::LoadModel::power, settings_.loss).report, std::nullopt};
+    return samples;
   }
 
-  std::size_t model_ = 0;
+  fit::Kind kind_ = fit::Kind::ellipse;
   std::string data_;
   FileColumns file_columns_;
   std::string patch_;
   std::optional<double> load_;
-  Law law_;
-  std::size_t criterion_ = 1;
-  std::size_t loss_ = 0;
-  std::size_t load_model_ = 2;
   Messages* messages_ = nullptr;
   bool covariance_ = false;
   bool residuals_ = false;
-  fit::ContactFitOptions settings_;
+  fit::FitOptions settings_;
 };
 
 }  // namespace

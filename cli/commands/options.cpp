@@ -93,24 +93,21 @@ void Options::whole(const std::string& name, const std::function<void(std::size_
       help, Presence::optional);
 }
 
-void Options::choice(const std::string& name, std::size_t& value, std::vector<std::string> choices,
-                     const std::string& help, Presence presence) {
-  std::string kind;
-  for (const std::string& choice : choices) kind += (kind.empty() ? "" : "|") + choice;
-  const std::string standard = presence == Presence::required ? "" : " (default " + choices.at(value) + ")";
-  this->value(
-      name, kind,
-      [&value, choices = std::move(choices), kind](const std::string& text) {
+void Options::choice(const std::string& name, std::size_t standard, const std::function<void(std::size_t)>& take,
+                     std::span<const std::string_view> names, const std::string& help, Presence presence) {
+  value(
+      name, joined(names),
+      [take, names](const std::string& text) {
         std::string given = text;
         std::replace(given.begin(), given.end(), '_', '-');
-        const auto found = std::find(choices.begin(), choices.end(), given);
-        if (found == choices.end()) {
-          throw std::invalid_argument("got '" + text + "', expected " + kind +
-                                      did_you_mean(text, {choices.begin(), choices.end()}));
+        const auto found = std::find(names.begin(), names.end(), given);
+        if (found == names.end()) {
+          throw std::invalid_argument("got '" + text + "', expected " + joined(names) +
+                                      did_you_mean(text, {names.begin(), names.end()}));
         }
-        value = static_cast<std::size_t>(found - choices.begin());
+        take(static_cast<std::size_t>(found - names.begin()));
       },
-      help + standard, presence);
+      presence == Presence::required ? help : help + " (default " + std::string(names[standard]) + ")", presence);
 }
 
 void Options::finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required, bool rare) {

@@ -71,9 +71,14 @@ class Options {
         name, joined(names), [&value, parse](const std::string& text) { value = parse(text); }, help,
         Presence::optional);
   }
-  /// One of `choices`; `value` receives its index and holds the default.
-  void choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
-              Presence presence = Presence::optional);
+  /// One of an enumeration, whose `names` are in its order from 0 on; `value` holds the default.
+  template <class Kind>
+  void choice(const std::string& name, Kind& value, std::span<const std::string_view> names, const std::string& help,
+              Presence presence = Presence::optional) {
+    choice(
+        name, static_cast<std::size_t>(value), [&value](std::size_t index) { value = static_cast<Kind>(index); }, names,
+        help, presence);
+  }
 
   /// The finger parameters (godobject/finger/finger_parameter_table.hpp), of which `required` must be given, and only
   /// `rare` ones or only the others.
@@ -84,6 +89,8 @@ class Options {
   void moment(MomentArgument& value);
 
  private:
+  void choice(const std::string& name, std::size_t standard, const std::function<void(std::size_t)>& take,
+              std::span<const std::string_view> names, const std::string& help, Presence presence);
   void whole(const std::string& name, const std::function<void(std::size_t)>& take, std::size_t least, std::size_t most,
              const std::string& help);
 

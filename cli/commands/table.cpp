@@ -9,8 +9,10 @@
 #include "limitcurve/table_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 
 namespace limitcurve::cli {
 
@@ -40,24 +42,24 @@ class Table final : public Subcommand {
     options.count("--preferred-bytes", bytes_, 0, limitcurve::Table::max_bytes,
                   "Memory that a look-up should touch: the polynomials get the lowest degree, 3 to 5, that fits, which "
                   "is the fastest; else 6");
-    options.choice("--real", real_, {"double", "float"}, "Numbers of a header");
+    static constexpr std::array<std::string_view, 2> reals{"double", "float"};
+    options.choice("--real", is_single_, reals, "Numbers of a header");
     options.text("--name", name_, "NAME", "Of the table in a .h or .hpp file: NAME_wrench(slide, spin)");
   }
 
   void run(const Results& results) override {
     results.messages->say(law_->remarks());
-    const bool is_single = real_ == 1;
     const double tolerance =
-        tolerance_.value_or(is_single ? FloatTable::default_tolerance : limitcurve::Table::default_tolerance);
-    const TableWriter text_of = table_writer(file_, "--output", name_, is_single);
+        tolerance_.value_or(is_single_ ? FloatTable::default_tolerance : limitcurve::Table::default_tolerance);
+    const TableWriter text_of = table_writer(file_, "--output", name_, is_single_);
     // Rounding of float takes most of the finest tolerance.
     const double finest = FloatTable::finest_tolerance;
-    if (is_single && !(tolerance >= finest))
+    if (is_single_ && !(tolerance >= finest))
       throw out_of_range("--tolerance", tolerance, "1", format_number(finest) + " or more with --real float");
-    const double of_table = is_single ? std::max(0.1 * tolerance, tolerance - 0.9 * finest) : tolerance;
+    const double of_table = is_single_ ? std::max(0.1 * tolerance, tolerance - 0.9 * finest) : tolerance;
     const auto table = limitcurve::Table::build(law_, of_table, {.preferred_bytes = bytes_});
-    const double error = is_single ? single_precision_error(table) : table.checked_error();
-    if (const double least = error / std::max(1.0, table.moment_ratio()); is_single && least > tolerance) {
+    const double error = is_single_ ? single_precision_error(table) : table.checked_error();
+    if (const double least = error / std::max(1.0, table.moment_ratio()); is_single_ && least > tolerance) {
       throw std::runtime_error("table of " + table.law_name() + " in single precision: expected a tolerance of " +
                                format_number(least) + " or more");
     }
@@ -65,7 +67,7 @@ class Table final : public Subcommand {
     file.output().write(text_of(table));
     file.commit();
     Rows rows(results, {"law", "tolerance", "checked_error", "nodes", "bytes", "profile_error"});
-    rows.row(table.law_name(), tolerance, error, table.cell_count(), table.bytes() / (is_single ? 2 : 1),
+    rows.row(table.law_name(), tolerance, error, table.cell_count(), table.bytes() / (is_single_ ? 2 : 1),
              table.profile_error());
     rows.finish();
   }
@@ -76,7 +78,7 @@ class Table final : public Subcommand {
   std::size_t bytes_ = TableOptions{}.preferred_bytes;
   std::string file_;
   std::string name_;
-  std::size_t real_ = 0;
+  bool is_single_ = false;
 };
 
 }  // namespace

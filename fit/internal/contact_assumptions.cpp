@@ -59,9 +59,7 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, const Contac
   double gamma = options.gamma;
   const double mu = report.estimates[0].value;
   const double mu_r = report.estimates[1].value;
-  for (const Estimate& estimate : report.estimates) {
-    if (estimate.name == "gamma") gamma = estimate.value;
-  }
+  if (const Estimate* const fitted = report.find(Estimate::Role::gamma)) gamma = fitted->value;
   // Without sigmas residuals of the squared loss are in standard deviations, others in the typical error. With as many
   // parameters as rows nothing scatters.
   const auto rows = static_cast<double>(report.residuals);
@@ -108,7 +106,7 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, const Contac
   const std::array<double, 2> off_limits{at_slide, at_twist};
   for (std::size_t j = 0; j < report.estimates.size(); ++j) {
     Estimate& estimate = report.estimates[j];
-    if (j > 1 && estimate.name != "ratio" && estimate.name != "radius" && estimate.name != "c") continue;
+    if (j > 1 && estimate.role != Estimate::Role::ratio && estimate.role != Estimate::Role::radius) continue;
     const double off = j > 1 ? at_twist - at_slide : off_limits.at(j);
     estimate.std_error = std::hypot(estimate.std_error, off * estimate.value);
   }

@@ -63,8 +63,8 @@ void set_estimates(FitReport& report, std::span<const Quantity> quantities, std:
   };
   report.estimates.clear();
   for (std::size_t a = 0; a < count; ++a) {
-    report.estimates.push_back(
-        {quantities[a].name, quantities[a].value, std::sqrt(std::max(propagated(a, a), 0.0)), quantities[a].unit});
+    const auto& [name, value, unit, role] = quantities[a];
+    report.estimates.push_back({name, value, std::sqrt(std::max(propagated(a, a), 0.0)), unit, role});
   }
   report.correlation.assign(count * count, 0.0);
   for (std::size_t a = 0; a < count; ++a) {

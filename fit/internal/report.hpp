@@ -18,6 +18,7 @@ struct Quantity {
   std::string name;
   double value;
   std::string unit;
+  Estimate::Role role;
 };
 
 /// The exception for fewer samples than a fit of `free` parameters, `names`, needs: one more than parameters, unless
@@ -67,7 +68,7 @@ void include_choice(FitReport& report, const std::vector<Fit>& candidates) {
   const std::vector<Estimate> best = report.estimates;
   const std::size_t count = best.size();
   const auto is_shared = [](const Estimate& one) {
-    return one.name != "n" && one.name != "k" && std::isfinite(one.value) && std::isfinite(one.std_error);
+    return one.role != Estimate::Role::shape && std::isfinite(one.value) && std::isfinite(one.std_error);
   };
   std::vector<double> covariances(count * count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -80,7 +81,7 @@ void include_choice(FitReport& report, const std::vector<Fit>& candidates) {
         const std::vector<Estimate>& others = candidate.report.estimates;
         for (std::size_t a = 0; a < others.size(); ++a) {
           for (std::size_t b = 0; b < others.size(); ++b) {
-            if (others[a].name != best[i].name || others[b].name != best[j].name) continue;
+            if (others[a].role != best[i].role || others[b].role != best[j].role) continue;
             if (!is_shared(others[a]) || !is_shared(others[b])) continue;
             const double weight = std::exp(0.5 * (report.aic - candidate.report.aic));
             const double correlation = a == b ? 1.0 : candidate.report.correlation[a * others.size() + b];

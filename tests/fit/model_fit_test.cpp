@@ -31,38 +31,56 @@ TEST(ModelFit, RatioOnTheTableOfKinoshitaGivesBackItsRatios) {
     // Per newton of load: one pure slide, one pure twist.
     const std::vector<Sample> samples{{1.0, row.mu, 0.0, row.mu_sd, 1e-3 * row.mu_r_sd},
                                       {1.0, 0.0, 1e-3 * row.mu_r, row.mu_sd, 1e-3 * row.mu_r_sd}};
-    const ModelFit fit = fit_model("ratio", samples);
-    const Estimate& ratio = fit.report.at("ratio");
+    const ModelFit found = fit(Kind::ratio, samples);
+    const Estimate& ratio = found.report.at("ratio");
     EXPECT_NEAR(ratio.value, 1e-3 * row.mu_r / row.mu, 1e-9) << row.material;
-    EXPECT_NEAR(fit.report.at("mu").std_error, row.mu_sd, 1e-6) << row.material;
+    EXPECT_NEAR(found.report.at("mu").std_error, row.mu_sd, 1e-6) << row.material;
     // The published ratio is a mean of ratios, not a ratio of means: the two differ by the scatter between subjects.
     EXPECT_NEAR(ratio.value, 1e-3 * row.ratio, 0.2e-3 * row.ratio_sd) << row.material;
-    EXPECT_GT(fit.report.at("radius").value, 9e-3);
-    EXPECT_LT(fit.report.at("radius").value, 13e-3);
-    ASSERT_EQ(fit.report.warnings.size(), 2u);
-    EXPECT_NE(fit.report.warnings[0].find("more than the finger's"), std::string::npos);
-    EXPECT_NE(fit.report.warnings[1].find("(flat-punch)"), std::string::npos);
+    EXPECT_GT(found.report.at("radius").value, 9e-3);
+    EXPECT_LT(found.report.at("radius").value, 13e-3);
+    ASSERT_EQ(found.report.warnings.size(), 2u);
+    EXPECT_NE(found.report.warnings[0].find("more than the finger's"), std::string::npos);
+    EXPECT_NE(found.report.warnings[1].find("(flat-punch)"), std::string::npos);
   }
 }
 
 TEST(ModelFit, EachNameDoesItsFit) {
   synthetic::Random random(1);
   const std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(uniform()), {0.8, 0.004}, 60, random);
-  EXPECT_EQ(fit_model("ellipse", samples).report.estimates[0].name, "force_max");
-  EXPECT_NEAR(fit_model("law", samples, uniform()).report.at("radius").value, 0.004, 1e-10);
-  EXPECT_NEAR(fit_model("law", samples).report.at("radius").value, 0.004, 1e-6);
-  EXPECT_EQ(fit_model("load", LoadSamples{LoadSamples::Quantity::radius,
-                                          {{1.0, 2e-3}, {2.0, 2e-3}, {4.0, 2.1e-3}, {8.0, 1.9e-3}, {9.0, 2e-3}}})
-                .model,
-            "linear");
-  EXPECT_TRUE(fit_model("ellipse", hertz()).error.has_value());
+  FitOptions of_uniform;
+  of_uniform.law = uniform();
+  EXPECT_EQ(fit(Kind::ellipse, samples).report.estimates[0].name, "force_max");
+  EXPECT_NEAR(fit(Kind::law, samples, of_uniform).report.at("radius").value, 0.004, 1e-10);
+  const ModelFit chosen = fit(Kind::law, samples);
+  EXPECT_NEAR(chosen.report.at("radius").value, 0.004, 1e-6);
+  EXPECT_EQ(chosen.candidates.front(), std::pair(std::string("uniform"), 0.0));
+  EXPECT_TRUE(fit(Kind::ellipse, hertz()).error.has_value());
 }
 
-TEST(ModelFit, UnknownNamesAreToldWhatWasExpected) {
+TEST(ModelFit, TheDefaultGrowthIsAPowerAndOthersAreAsked) {
+  const LoadSamples samples{LoadSamples::Quantity::radius,
+                            {{1.0, 2e-3}, {2.0, 2e-3}, {4.0, 2.1e-3}, {8.0, 1.9e-3}, {9.0, 2e-3}}};
+  for (const LoadModel model : {LoadModel::linear, LoadModel::hertz, LoadModel::power}) {
+    FitOptions options;
+    options.load_model = model;
+    const ModelFit found = fit(Kind::load, samples, options);
+    EXPECT_EQ(found.model, to_string(model));
+    EXPECT_EQ(found.report.find(Estimate::Role::radius)->value, fit_load(samples, model).report.at("c").value);
+  }
+  EXPECT_EQ(fit(Kind::load, samples).report.at("gamma").value,
+            fit_load(samples, LoadModel::power).report.at("gamma").value);
+  FitOptions best;
+  best.load_model = LoadModel::best;
+  EXPECT_EQ(fit(Kind::load, samples, best).model, "linear");
+}
+
+TEST(ModelFit, UnknownNamesAndOtherDataAreToldWhatWasExpected) {
   const std::vector<Sample> samples(3, {1.0, 0.5, 0.001});
-  test::expect_mention(test::complaint([&] { fit_model("elipse", hertz()); }), "model 'elipse': expected ellipse");
-  test::expect_mention(test::complaint([&] { fit_model("load", samples); }), "ratio or law");
-  test::expect_mention(test::complaint([&] { fit_model("law", LoadSamples{}); }), "expected load");
+  test::expect_mention(test::complaint([&] { parse_kind("elipse"); }), "model 'elipse': expected ellipse");
+  test::expect_mention(test::complaint([&] { fit(Kind::load, samples); }), "fit load: expected radii or moments");
+  test::expect_mention(test::complaint([&] { fit(Kind::law, LoadSamples{}); }), "fit law: expected slips");
+  test::expect_mention(test::complaint([&] { fit(Kind::ellipse, Law()); }), "law");
 }
 
 /// The program's locale is German, with a comma in its numbers, where it can be made.
@@ -88,8 +106,8 @@ TEST(ModelFit, NumbersInMessagesDoNotDependOnTheLocale) {
   std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), {0.6, 0.0045, 0.3}, 60, random);
   synthetic::disturb(samples, 0.01, 0.6, 0.0016, false, random);
   std::string told = in_percent(0.0123) + in_percent(0.5) + in_percent(3.3e-5);
-  for (const char* const model : {"ratio", "law", "ellipse"}) {
-    const FitReport report = fit_model(model, samples).report;
+  for (const Kind kind : {Kind::ratio, Kind::law, Kind::ellipse}) {
+    const FitReport report = fit(kind, samples).report;
     told += report.note + report.message;
     for (const std::string& warning : report.warnings) told += warning;
   }
