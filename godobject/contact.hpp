@@ -158,9 +158,9 @@ template <std::ranges::forward_range Contacts>
 ///
 /// An orientation that cones, and comes back to where it was, gives a spin of its solid angle, 2π(1 − cos θ) per circle
 /// at θ rad. That is right for a finger that rolls on to new skin. A pad that keeps its skin is wound up, too, until it
-/// slips: a weight that hangs on it, half of what friction carries, sinks by 0.02 mm in 50 circles at 0.02 rad, and by
-/// 13 mm at 0.2 rad (a = 6 mm, k_l = 1000 N/m, k_r = 0.036 N m/rad). If your pad only rocks, give its twist by
-/// `DevicePose::twist`, or in `update(contact, twist)`, and keep the orientation still.
+/// slips: in 50 circles at 0.1 rad a weight that hangs on it, half of what friction carries, sinks by 4 mm, and at 0.2
+/// rad by 17 mm (Hertz, P = 1 N, μ = 0.6, a = 6 mm, k_l = 1000 N/m, k_r = 0.036 N m/rad). If your pad only rocks, give
+/// its twist by `DevicePose::twist`, or in `update(contact, twist)`, and keep the orientation still.
 struct Spin {
   double angle = 0.0;   ///< [rad] since the first sample, unwrapped
   Numbers normal{};     ///< of the last sample

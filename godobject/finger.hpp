@@ -45,7 +45,7 @@ struct FingerParameters {
   double fault_decay = 0.99;
 };
 
-/// In time steps [s] shorter than this, dampers do not act and free bodies do not move.
+/// In time steps [s] shorter than this, dampers do not act, and in a replay free bodies do not move.
 inline constexpr double shortest_time_step = 1e-9;
 
 /// Whether a time step [s] is valid: ≥ 0 and finite, not NaN.

@@ -81,12 +81,16 @@ class SoftFinger {
   /// The proxy is a point in space, as in `update`, and its spring acts as far as it lies in the tangent plane. So the
   /// force of a stick is a function of point and normal: no loop of both turns it. This holds while the normal stays
   /// within 0.25 rad of one direction, as on a ball of radius 4 μP/k_l or more; there friction is that of the plane
-  /// within 0.04 μP. If the normal tilts farther, as on a smaller ball, the proxy is carried along: friction still
-  /// reaches its limit, but on the way is off that of the plane by up to 0.3 μP, and a stick creeps. A circle of the
-  /// normal at 0.3 rad (0.5 rad) turns its deflection by 0.09 rad (0.6 rad).
+  /// within 0.07 μP. If the normal tilts farther, as on a smaller ball, the proxy is carried along: friction still
+  /// reaches its limit, but after a change of direction it is off that of the plane by up to 0.3 μP if a step turns the
+  /// normal by at most 0.02 rad, and by more in longer steps; and a stick creeps. A circle of the normal at 0.3 rad
+  /// (0.5 rad) turns its deflection by 0.09 rad (0.6 rad).
   ///
-  /// No path gains more energy than a sampled spring does (scene/passivity.hpp). The spring energy has a part along the
-  /// normal. A finger may change between both ways of `update` in a contact; in that step dampers do not act.
+  /// On a ball of radius 4 μP/k_l or more, if the normals are the ball's, no path gains more energy than a sampled
+  /// spring does (scene/passivity.hpp). On smaller balls a search found paths that gain a quarter more than that. If
+  /// the normal tilts by θ against the way, as smoothed or noisy normals do, a loop may gain θ² of the springs' energy.
+  /// The spring energy has a part along the normal. A finger may change between both ways of `update` in a contact; in
+  /// that step dampers do not act.
   const FingerOutput& update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load,
                                         double twist, double time_step = 0.0, bool landed = false) & noexcept;
   const FingerOutput& update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load,
@@ -140,7 +144,8 @@ class SoftFinger {
   [[nodiscard]] double load_to_hold() const noexcept;
   /// The slip's centre of rotation in the surface's frame [m]; infinite for pure sliding, NaN without slip.
   [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept;
-  /// Energy in the springs [J]: ½ k_l |x_p − x_h|² + ½ k_r (α_p − α_g)², 0 while free. Slip never increases it.
+  /// Energy in the springs [J]: ½ k_l |x_p − x_h|² + ½ k_r (α_p − α_g)², 0 while free. Without dampers,
+  /// slip never increases it.
   [[nodiscard]] double spring_energy() const noexcept;
 
  private:

@@ -23,7 +23,9 @@ using namespace godobject;
 class cAlgorithmSoftFinger : public cAlgorithmFingerProxy {
  public:
   cAlgorithmSoftFinger(const FingerCurve& curve, const FingerParameters& skin, double timeStep = 0)
-      : m_finger(curve, skin), m_skin(skin), m_timeStep(timeStep) {}
+      : m_finger(curve, skin), m_skin(skin), m_timeStep(timeStep) {
+    m_useDynamicProxy = true;  // otherwise CHAI3D finds one wall a step, and in a corner another one each time
+  }
 
   cMatrix3d m_deviceRot = cIdentity3d();  ///< in the world's frame, to be set before each step
   cVector3d m_torque{0, 0, 0};            ///< on the user, in the world's frame

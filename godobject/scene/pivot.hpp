@@ -38,13 +38,13 @@ struct GripSample {
 struct GripOperator {
   static constexpr double slide_limit = 0.002;  ///< [m]
   static constexpr double slide_per_turn =
-      0.02;  ///< [m/rad]; on its way to 30° the coupled block slides 10 (sandpaper) to 14 mm (rayon)
+      0.02;  ///< [m/rad]; on its way to 30° the coupled block slides 10 (sandpaper) to 14 mm (rayon) per radian
 
   double target = 0.5235987755982988;  ///< angle at which to regrip [rad], > 0; the default is 30°
   std::optional<double> start_load =
       {};  ///< load of each finger at the beginning, and after regripping [N]; absent: twice `default_load`
   std::optional<double> rate = {};         ///< rate of change of the load [N/s]; absent: `default_load` in a second
-  std::optional<double> regrip_rate = {};  ///< rate of change of the load in regripping [N/s]; absent: ten times `rate`
+  std::optional<double> regrip_rate = {};  ///< in regripping [N/s]; absent: ten times `default_load` in a second
   double speed = 0.3;                      ///< desired speed of the block's turn [rad/s]
   bool regrips_on_slide = true;            ///< false: does not regrip if the block slides out
 };

@@ -215,6 +215,42 @@ TEST(Grasp, NeverGainsEnergy) {
   }
 }
 
+// Out of the grip: after the first finger came off, the second pushes a face that slides past it and turns. What a step
+// adds is more than ½θ²|F||r|, and within the bound of godobject/README.md ("Energy").
+TEST(Grasp, AFingerThatComesOffAddsWhatIsSaid) {
+  BodyParameters body = BodyParameters::block(0.1, Vector3d::Constant(0.03));
+  body.gravity.setZero();
+  body.free = {true, true, false, false, false, true};
+  Grasp grasp(body, BodyState{}, AnySurface(BoxSurface(Vector3d::Constant(0.015))),
+              std::vector<SoftFinger>(2, hertz_finger(parameters(0.0))));
+  const std::array<DevicePose, 2> devices{DevicePose{{0.0149, 0.007, 0.0}}, DevicePose{{-0.0149, 0.007, 0.0}}};
+  grasp.place({}, devices);
+  BodyState knocked;
+  knocked.velocity = {0.05, -0.3, 0.0};
+  knocked.angular_velocity.z() = 9.0;
+  grasp.place(knocked, devices);
+  double most = 0.0;
+  double spun = 9.0;
+  for (int i = 0; i < 20; ++i) {
+    const double last = grasp.energy();
+    const std::array before{grasp.finger(0).state().sample.goal, grasp.finger(1).state().sample.goal};
+    grasp.step(devices, 0.003);
+    const double turned = 0.003 * std::max(std::fabs(grasp.body().angular_velocity.z()), spun);
+    spun = std::fabs(grasp.body().angular_velocity.z());
+    double levers = 0.0;
+    double slides = 0.0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double force = grasp.force_on_user(k).norm();
+      levers += force * grasp.finger(k).output().proxy.norm();
+      slides += force * (grasp.finger(k).state().sample.goal - before[k]).norm();
+    }
+    const double turn = 0.5 * turned * turned * levers;
+    if (levers > 0.0) most = std::max(most, (grasp.energy() - last) / turn);
+    EXPECT_LE(grasp.energy() - last, turn + turned * slides + 1e-15) << i;
+  }
+  EXPECT_GT(most, 2.0) << "it shows";
+}
+
 // Springs a thousand times stiffer than the time step resolves, and a body that hits them sliding: solved, and no
 // energy gained.
 TEST(Grasp, SolvesSlipUnderStiffSprings) {

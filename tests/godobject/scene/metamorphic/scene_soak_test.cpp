@@ -197,22 +197,25 @@ TEST(SceneSoak, ABodyBetweenFingersAtRestGainsNoEnergy) {
     double last = first;
     double spun = knocked.angular_velocity.norm();
     for (int i = 0; i < steps; ++i) {
+      const std::array before{held.finger(0).state().sample.goal, held.finger(1).state().sample.goal};
       held.step(pinch, time_step);
       const double turned = std::max(held.body().angular_velocity.norm(), spun) * time_step;
       spun = held.body().angular_velocity.norm();
       double levers = 0.0;
       double moments = 0.0;
+      double slides = 0.0;
       bool let_go = false;
       for (std::size_t k = 0; k < 2; ++k) {
         const FingerOutput output = held.finger(k).output();
         ASSERT_GE(output.slip_work, 0.0);
         let_go = let_go || output.state == ContactState::free;
-        levers += held.force_on_user(k).norm() * output.proxy.norm();
+        const double force = held.force_on_user(k).norm();
+        levers += force * output.proxy.norm();
+        slides += force * (held.finger(k).state().sample.goal - before[k]).norm();
         moments += std::fabs(output.moment);
       }
-      if (planar && let_go) break;  // it is no grip
-      ASSERT_LE(held.energy() - last - 1e-12 * first,
-                turned * turned * (planar ? 0.5 * levers : first + levers + moments))
+      const double of_grip = 0.5 * turned * turned * levers + (let_go ? turned * slides : 0.0);
+      ASSERT_LE(held.energy() - last - 1e-12 * first, planar ? of_grip : turned * turned * (first + levers + moments))
           << i;
       last = held.energy();
     }
