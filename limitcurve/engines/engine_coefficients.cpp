@@ -51,7 +51,7 @@ struct Friction {
 
 bool takes_two(std::string_view engine) {
   return std::any_of(all_coefficients().begin(), all_coefficients().end(),
-                     [&](const Facts& one) { return one.at("engine") == engine && one.at("when") == "two"; });
+                     [&](const Facts& one) { return one.at("when") == "two" && serves(one, engine); });
 }
 
 /// `levers` are largest moments over `mu` and the load.
@@ -68,7 +68,7 @@ std::vector<EngineContact> contacts_of(double mu, const Friction& friction, cons
     EngineContact contact{facts.at("engine"), model, {}, error.curve, error.wrench, error.over_loads, facts.at("link"),
                           facts.at("needs")};
     for (const Facts& coefficient : all_coefficients()) {
-      if (coefficient.at("engine") != contact.engine) continue;
+      if (!serves(coefficient, contact.engine)) continue;
       if (!coefficient.at("model").empty() && coefficient.at("model") != model) continue;
       if (!friction.has(coefficient)) continue;
       const std::string& text = coefficient.at("formula");
@@ -77,8 +77,9 @@ std::vector<EngineContact> contacts_of(double mu, const Friction& friction, cons
         if (formula == nullptr) return parse_number(text).value();
         return formula->value(text == "mu_x" ? friction.x : text == "mu_y" ? friction.y : mu, lever);
       };
-      contact.coefficients.push_back({coefficient.at("parameter"), value(levers.here), coefficient.at("unit"), text,
-                                      coefficient.at("two_bodies"), note_of(coefficient), value(levers.least),
+      const double here = value(levers.here);
+      contact.coefficients.push_back({coefficient.at("parameter"), here, coefficient.at("unit"), text,
+                                      coefficient.at("two_bodies"), note_of(coefficient, here), value(levers.least),
                                       value(levers.greatest)});
     }
     contacts.push_back(std::move(contact));

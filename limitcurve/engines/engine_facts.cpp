@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/engines/engine_facts.hpp"
 
+#include "limitcurve/internal/number.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -57,6 +60,11 @@ const std::vector<Facts>& all_coefficients() {
   return rows;
 }
 
+bool serves(const Facts& coefficient, std::string_view engine) {
+  const std::vector<std::string> engines = words(coefficient.at("engine"));
+  return std::find(engines.begin(), engines.end(), engine) != engines.end();
+}
+
 std::vector<std::string> words(std::string_view text) {
   std::vector<std::string> result;
   while (!text.empty()) {
@@ -81,23 +89,45 @@ double itself(double value, double /*factor*/) {
 
 constexpr double hertz_ratio = 3.0 * std::numbers::pi / 16.0;
 
+/// The lever of PhysX and Gazebo that grows with the depth, at 0.1 mm; 0 switches it off.
+double lever_at_depth(double value) {
+  return value > 0.0 ? std::sqrt(value * 1e-4) : std::numeric_limits<double>::quiet_NaN();
+}
+double zero(double /*mu*/, double /*lever*/) {
+  return 0.0;
+}
+
 constexpr std::array formulas{
-    Formula{"mu", friction_of, nullptr, "times load: the force's limit"},
-    Formula{"mu_x", friction_of, nullptr, "times load: the force's limit along x"},
-    Formula{"mu_y", friction_of, nullptr, "times load: the force's limit along y"},
-    Formula{"mu/f", friction_of, nullptr, "times f and load: the force's limit"},
-    Formula{"mu_r", moment_of, itself, "times load: the moment's limit"},
-    Formula{"mu_r/f", moment_of, itself, "times f and load: the moment's limit"},
+    Formula{"mu", friction_of, nullptr, "force limit = value * load"},
+    Formula{"mu_x", friction_of, nullptr, "force limit = value * load along x"},
+    Formula{"mu_y", friction_of, nullptr, "force limit = value * load along y"},
+    Formula{"mu/f", friction_of, nullptr, "force limit = value * f * load"},
+    Formula{"mu_r", moment_of, itself, "moment limit = value * load"},
+    Formula{"mu_r/f", moment_of, itself, "moment limit = value * f * load"},
     Formula{"mu_r/1000", [](double mu, double lever) { return 1e-3 * (mu * lever); }, nullptr, ""},
+    Formula{"rho", zero,
+            [](double value, double) { return value > 0.0 ? value : std::numeric_limits<double>::quiet_NaN(); }, ""},
     Formula{"m0 a", [](double /*mu*/, double lever) { return lever; },
-            [](double value, double factor) { return factor * value; }, "times @ and load: the moment's limit"},
+            [](double value, double factor) { return factor * value; }, "moment limit = value * @ * load"},
+    Formula{"sqrt(value depth)", zero, [](double value, double factor) { return factor * lever_at_depth(value); },
+            "moment limit = sqrt(value * depth) * @ * load: here at a depth of 0.1 mm"},
+    Formula{"3 pi/16 sqrt(value depth)", zero,
+            [](double value, double factor) { return hertz_ratio * factor * lever_at_depth(value); },
+            "moment limit = 3 pi/16 * sqrt(value * depth) * @ * load: here at a depth of 0.1 mm"},
     Formula{"16 m0 a/(3 pi)", [](double /*mu*/, double lever) { return lever / hertz_ratio; },
             [](double value, double factor) { return hertz_ratio * factor * value; },
-            "times 3 pi/16 and @ and load: the moment's limit"},
+            "moment limit = value * 3 pi/16 * @ * load"},
     Formula{"sqrt(m0 a/pi)", [](double /*mu*/, double lever) { return std::sqrt(lever / std::numbers::pi); },
             [](double value, double factor) { return std::numbers::pi * value * value * factor; },
-            "pi times its square and @ and load: the moment's limit"},
+            "moment limit = pi * value^2 * @ * load"},
 };
+
+/// Whether a value meets a condition of a note: 4, >0, <1000.
+bool holds(std::string_view condition, double value) {
+  const char sign = condition.front();
+  const double bound = parse_number(condition.substr(sign == '<' || sign == '>')).value();
+  return sign == '<' ? value < bound : sign == '>' ? value > bound : value == bound;
+}
 
 }  // namespace
 
@@ -107,13 +137,22 @@ const Formula* find_formula(std::string_view text) {
   return found == formulas.end() ? nullptr : &*found;
 }
 
-std::string note_of(const Facts& coefficient) {
-  const std::string& note = coefficient.at("note");
+std::string note_of(const Facts& coefficient, double value) {
+  std::string_view note = coefficient.at("note");
   const Formula* const formula = find_formula(coefficient.at("formula"));
-  std::string result(formula == nullptr || note.starts_with("times") ? "" : formula->use);
+  std::string result(formula == nullptr || note.find("limit = ") != note.npos ? "" : formula->use);
   if (const std::size_t at = result.find('@'); at != std::string::npos) result.replace(at, 1, coefficient.at("times"));
-  if (!result.empty() && !note.empty()) result += "; ";
-  return result + note;
+  while (!note.empty()) {
+    std::string_view part = note.substr(0, note.find("; "));
+    note.remove_prefix(std::min(note.size(), part.size() + 2));
+    if (part.front() == '[') {
+      const std::size_t end = part.find(']');
+      if (!holds(part.substr(1, end - 1), value)) continue;
+      part.remove_prefix(end + 2);
+    }
+    result.append(result.empty() ? "" : "; ").append(part);
+  }
+  return result;
 }
 
 }  // namespace limitcurve::engines

@@ -20,8 +20,8 @@ namespace {
 const Facts& find_coefficient(std::string_view engine, std::string_view parameter) {
   std::vector<std::string> known;
   for (const Facts& facts : all_coefficients()) {
-    if (facts.at("engine") != engine) continue;
     const std::vector<std::string> names = words(facts.at("word"));
+    if (names.empty() || !serves(facts, engine)) continue;
     if (parameter == facts.at("parameter") || std::find(names.begin(), names.end(), parameter) != names.end())
       return facts;
     if (std::find(known.begin(), known.end(), names.front()) == known.end()) known.push_back(names.front());
@@ -49,12 +49,12 @@ double friction_in(const ContactNumbers& contact, const Facts* factor, double ot
   return found == contact.end() ? otherwise : found->second;
 }
 
-CoefficientMeaning meaning_of(const Facts& row, double value, const ContactNumbers& contact, double mu,
-                              double moment_ratio) {
+CoefficientMeaning meaning_of(const std::string& engine, const Facts& row, double value, const ContactNumbers& contact,
+                              double mu, double moment_ratio) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  CoefficientMeaning meaning{row.at("engine"), row.at("parameter"), unknown, unknown, note_of(row)};
+  CoefficientMeaning meaning{engine, row.at("parameter"), unknown, unknown, note_of(row, value)};
   const Formula* const formula = find_formula(row.at("formula"));
-  if (formula == nullptr || formula->moment == nullptr) return meaning;
+  if (formula == nullptr || formula->moment == nullptr || std::isnan(formula->moment(value, 1.0))) return meaning;
   const auto other = [&](const char* column) {
     return row.at(column).empty() ? nullptr : &find_coefficient(meaning.engine, row.at(column));
   };
@@ -116,7 +116,8 @@ std::vector<CoefficientMeaning> read_coefficients(std::span<const EngineNumber> 
   }
   std::vector<CoefficientMeaning> meanings;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    meanings.push_back(meaning_of(*rows[i], numbers[i].value, contacts[contact_of[i]], mu, law->moment_ratio()));
+    meanings.push_back(meaning_of(find_engine(numbers[i].engine), *rows[i], numbers[i].value, contacts[contact_of[i]],
+                                  mu, law->moment_ratio()));
   }
   return meanings;
 }

@@ -432,9 +432,9 @@ def lint_sdf(root, rows):
                      note="patch_radius is 0 here: the other surface's counts")
         if "surface_radius" in value:
             radius = value["surface_radius"]
-            rows.add(at["surface_radius"], what, "gazebo.surface_radius", radius,
-                     verdict="dead" if patch and radius else "note",
-                     note="use_patch_radius is true: not read" if patch else "lever sqrt(value depth)")
+            rows.add(at["surface_radius"], what, "gazebo.surface_radius", radius, mu, [f"coefficient={mu}"],
+                     "dead" if patch and radius else "note",
+                     "use_patch_radius is true: not read" if patch else "lever sqrt(value depth): at 0.1 mm")
 
 
 def lint_usda(root, rows):
@@ -461,12 +461,11 @@ def lint_usda(root, rows):
         notes = []
         if metre != 1:
             notes.append(f"a unit is {metre:g} m" + ", for want of metersPerUnit" * (unit is None))
-        if found[1].endswith(":torsionalPatchRadius"):
-            lever = 1e3 * math.sqrt(float(value[1]) * metre * 1e-4)
-            notes.append(f"lever sqrt(value depth), {lever:.3g} mm at 0.1 mm")
         if found[1].startswith("newton") and condim < 4:
             notes.append("SolverMuJoCo needs mjc:condim 4")
-        rows.add(at, at.tag, found[1], float(value[1]), mu, note="; ".join(notes), metre=metre)
+        grows = found[1].endswith(":torsionalPatchRadius")
+        notes += ["lever sqrt(value depth): at 0.1 mm"] * grows
+        rows.add(at, at.tag, found[1], float(value[1]), mu, (), "note" * grows, "; ".join(notes), metre=metre)
 
 
 READERS = {"usda": lint_usda, "mujoco": lint_mjcf, "robot": lint_urdf, "sdf": lint_sdf}

@@ -35,7 +35,7 @@ def _axes(ax: Axes | None) -> Axes:
     return plt.subplots(layout="constrained")[1]
 
 
-def _model(model: str, parameter: float, m0: float, points: int = 257) -> tuple[Any, Any]:
+def _model(model: str, parameter: float, m0: float, law: Law, points: int = 257) -> tuple[Any, Any]:
     """Points (f, m) of a model of `validate` with its parameter."""
     angle = np.linspace(0, np.pi / 2, points)
     x, y = np.cos(angle), np.sin(angle)
@@ -43,7 +43,13 @@ def _model(model: str, parameter: float, m0: float, points: int = 257) -> tuple[
         return parameter * x, parameter * m0 * y
     if model == "box":
         return np.array([1.0, 1.0, 0.0]), np.array([0.0, m0, m0])
-    return np.array([1.0, 0.0]), np.array([0.0, m0])  # diamond
+    if model == "diamond":
+        return np.array([1.0, 0.0]), np.array([0.0, m0])
+    if model == "pade":  # of a slip at x/y radii; exact in the slope of the moment at a pure slide
+        far = 1e9
+        half = float(law.evaluate(far)[1]) * far / m0
+        return x / (x + max(parameter, 1e-300) * y), m0 * half * y / (x + half * y)
+    raise ValueError(f"fits: {model} has no drawing")
 
 
 def limit_curve(
@@ -86,7 +92,7 @@ def limit_curve(
                 values = run("fit", "ellipse", law=first, criterion=criterion, quiet=True)["value"]
                 parameter, m0 = float(values[0]), float(values[1]) / float(values[0])
             worst = 100 * float(errors["max_error"][rows[0]])
-            ax.plot(*_model(name, parameter, m0),
+            ax.plot(*_model(name, parameter, m0, first),
                     linestyle=next(dashes),
                     linewidth=1,
                     color="0.3",

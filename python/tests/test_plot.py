@@ -73,3 +73,18 @@ def test_a_replay_stays_within_its_limit(data):
     gauge = lc.Table("hertz", 1e-8).gauge(r * 1e-3 * 1000 / (0.6 * load),
                                           np.radians(rho) * 0.036 / (0.6 * load * 0.006))
     assert np.allclose(gauge, 1, atol=1e-5)  # what slips is on the limit curve of its load
+
+
+def test_every_model_is_drawn_as_far_off_as_its_label_says():
+    """The largest radial distance of each drawn line from the law is the error of `validate`."""
+    law, errors = lc.Law("hertz"), lc.validate("hertz")
+    angle = np.linspace(0, np.pi / 2, 20001)
+    s = np.tan(np.linspace(0, np.pi / 2, 20001))
+    exact = np.array(law.evaluate(s)) / [[1], [law.moment_ratio]]
+    exact_radius = np.interp(angle, np.arctan2(*exact[::-1])[::-1], np.hypot(*exact)[::-1])
+    for name, error in zip(errors["model"], errors["max_error"]):
+        line = lc.plot.limit_curve(law, fits=[name]).lines[1].get_xydata().T / [[1], [law.moment_ratio]]
+        steps = np.linspace(0, len(line[0]) - 1, 200001)
+        x, y = (np.interp(steps, np.arange(len(one)), one) for one in line)
+        radius = np.interp(np.arctan2(y, x), angle, exact_radius)
+        assert np.max(abs(np.hypot(x, y) / radius - 1)) == pytest.approx(error, rel=2e-3), name

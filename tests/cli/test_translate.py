@@ -54,8 +54,8 @@ class Translate(CommandLineTest):
             if str(row["formula"]).startswith("mu"):
                 self.assertTrue(row["two_bodies"], row)
         notes = {(row["engine"], row["parameter"]): row["note"] for row in rows(*self.CONTACT)}
-        self.assertIn("times dynamic_friction and load", notes["physx", "PxShape.minTorsionalPatchRadius"])
-        self.assertIn("times f and load: the moment's limit", notes["bullet", "setSpinningFriction"])
+        self.assertIn("value * dynamic_friction * load", notes["physx", "PxShape.minTorsionalPatchRadius"])
+        self.assertIn("moment limit = value * f * load", notes["bullet", "setSpinningFriction"])
         self.assertNotIn("force", notes["gazebo", "surface/friction/torsional/coefficient"])
 
     def test_the_files_of_facts_agree(self):
@@ -67,14 +67,12 @@ class Translate(CommandLineTest):
         for row in self.facts("engines"):
             self.assertRegex(row["checked"], r"^20\d\d-\d\d-\d\d$")
             self.assertIn(row["how"], ("measured", "source", "manual"))
-        for row in self.facts("coefficients"):
-            self.assertIn((row["engine"], row["model"]) if row["model"] else row["engine"],
-                          shapes | {engine
-                                    for engine, _ in shapes})
         known = {}
         for row in self.facts("coefficients"):
-            for word in [*row["word"].split(), row["parameter"]]:
-                self.assertEqual(known.setdefault((row["engine"], word), row["parameter"]), row["parameter"])
+            for engine in row["engine"].split():
+                self.assertIn((engine, row["model"]) if row["model"] else engine, shapes | {name for name, _ in shapes})
+                for word in [*row["word"].split(), row["parameter"]]:
+                    self.assertEqual(known.setdefault((engine, word), row["parameter"]), row["parameter"])
         for row in self.facts("errors"):
             self.assertTrue(row["model"] == "points" or (row["engine"], row["model"]) in shapes, row)
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/engines/engine_coefficients.hpp"
 
+#include "limitcurve/engines/engine_facts.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/patch/patch.hpp"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -34,10 +36,9 @@ double coefficient(const EngineContact& contact, const std::string& parameter) {
 double moment_limit(const EngineContact& contact, double load) {
   const std::string& engine = contact.engine;
   const auto number = [&](const char* parameter) { return coefficient(contact, parameter); };
-  if (engine == "mujoco") return number("geom.friction[1]") * load;
-  if (engine == "newton" || engine == "newton-xpbd") return number("ShapeConfig.mu_torsional") * load;
-  if (engine == "genesis") return number("materials.Rigid.friction_torsional") * load;
-  if (engine == "chrono") return number("SetSpinningFriction") * load;
+  for (const EngineCoefficient& item : contact.coefficients) {
+    if (item.formula == "mu_r") return item.value * load;
+  }
   if (engine == "gazebo") {
     return 3.0 * std::acos(-1.0) / 16.0 * number("surface/friction/torsional/patch_radius") *
            number("surface/friction/torsional/coefficient") * load;
@@ -47,7 +48,6 @@ double moment_limit(const EngineContact& contact, double load) {
     return number("physics:dynamicFriction") * number("physxCollision:minTorsionalPatchRadius") * load;
   if (engine == "sapien") return number("PhysxMaterial.dynamic_friction") * number("min_patch_radius") * load;
   if (engine == "bullet") return number("setSpinningFriction") * 1.0 * load;
-  if (engine == "ode") return number("surface.rhoN") * load;
   if (engine == "dex-net")
     return std::acos(-1.0) * std::pow(number("finger_radius"), 2) * number("friction_coef") * load;
   if (engine == "gz-sim-bullet") return number("surface/friction/torsional/coefficient") * 1.0 * load;
@@ -103,8 +103,10 @@ TEST(EngineCoefficients, WhatIsReadIsWhatWasTranslated) {
       }
     }
   }
-  // One number sets the moment in each of thirteen shapes and engines; the two cones of MuJoCo share theirs.
-  EXPECT_EQ(moments, 2 * 14);
+  // One number sets the moment in each shape and engine that has one.
+  int shapes = 0;
+  for (const EngineContact& contact : translate(hertz(), silicone, 0.8, 3.0)) shapes += contact.model != "point";
+  EXPECT_EQ(moments, 2 * shapes);
 }
 
 CoefficientMeaning read_one(const std::string& engine, const std::string& parameter, double value, double mu,
@@ -115,7 +117,7 @@ CoefficientMeaning read_one(const std::string& engine, const std::string& parame
 TEST(EngineCoefficients, AreReadByShortNamesAndOtherNamesOfEngines) {
   // MuJoCo's default under mu = 1: the radius that has it in a Hertz contact.
   const CoefficientMeaning mujoco = read_one("mjx", "torsional", 0.005, 1.0, hertz());
-  EXPECT_EQ(mujoco.engine, "mujoco");
+  EXPECT_EQ(mujoco.engine, "mjx");
   EXPECT_EQ(mujoco.parameter, "geom.friction[1]");
   EXPECT_EQ(mujoco.moment_per_load, 0.005);
   EXPECT_NEAR(mujoco.radius, 0.005 * 16.0 / (3.0 * std::acos(-1.0)), 1e-17);
@@ -128,9 +130,9 @@ TEST(EngineCoefficients, AreReadByShortNamesAndOtherNamesOfEngines) {
   // An area: 37 times less than the contact of this radius bears.
   EXPECT_NEAR(read_one("dexnet", "finger_radius", 0.005, 0.5, hertz()).moment_per_load, 0.5 * std::acos(-1.0) * 25e-6,
               1e-19);
-  // Radii that go with the depth, and frictions, set no moment of their own.
+  // Rolling and sliding friction set no moment about the normal.
   for (const auto& [engine, parameter] :
-       {std::pair{"physx", "patch_radius"}, std::pair{"dart", "friction"}, std::pair{"pybullet", "rolling"}}) {
+       {std::pair{"mujoco", "rolling"}, std::pair{"dart", "friction"}, std::pair{"pybullet", "rolling"}}) {
     EXPECT_TRUE(std::isnan(read_one(engine, parameter, 0.1, 0.5, hertz()).radius));
   }
   for (const auto& [engine, parameter] :
@@ -142,6 +144,39 @@ TEST(EngineCoefficients, AreReadByShortNamesAndOtherNamesOfEngines) {
   EXPECT_THROW(read_one("mujoco", "torsional", 1e-3, 0.0, hertz()), std::invalid_argument);
   EXPECT_THROW(read_one("mujoco", "torsional", 1e-3, nan, hertz()),
                std::invalid_argument);  // a radius needs a friction
+}
+
+// A part of a note that is for some values, "[>0] …", is shown for those alone.
+TEST(EngineCoefficients, NotesBelongToValues) {
+  int parts = 0;
+  for (const Facts& row : all_coefficients()) {
+    if (row.at("word").empty()) continue;
+    for (const std::string& engine : words(row.at("engine"))) {
+      const std::string& formula = row.at("formula");
+      const double own = find_formula(formula) != nullptr ? 0.0024 : std::stod(formula);
+      for (const double value : {0.0, own, 6.0, 2000.0}) {
+        const std::string told = "; " + read_one(engine, row.at("parameter"), value, 0.8, hertz()).note + ";";
+        std::istringstream note(row.at("note"));
+        for (std::string part; std::getline(note >> std::ws, part, ';');) {
+          const std::size_t end = part.front() == '[' ? part.find(']') : std::string::npos;
+          if (end == std::string::npos) continue;
+          const bool bound = part[1] == '>' || part[1] == '<';
+          const double number = std::stod(part.substr(bound ? 2 : 1));
+          const bool meant = part[1] == '>' ? value > number : part[1] == '<' ? value < number : value == number;
+          EXPECT_EQ(told.find("; " + part.substr(end + 2) + ";") != std::string::npos, meant)
+              << engine << told << value;
+          ++parts;
+        }
+        EXPECT_EQ(told.find('['), std::string::npos) << told;
+      }
+    }
+  }
+  EXPECT_GT(parts, 100);
+  // Without dContactAxisDep rho is the limit of spin; a lever that grows with the depth is one, too.
+  EXPECT_EQ(read_one("ode", "rho", 0.02, 0.5, hertz()).moment_per_load, 0.02);
+  EXPECT_TRUE(std::isnan(read_one("ode", "rho", 0.0, nan, hertz()).moment_per_load));
+  EXPECT_NEAR(read_one("isaac", "torsional_patch_radius", 0.05, 0.5, hertz()).moment_per_load,
+              0.5 * std::sqrt(0.05 * 1e-4), 1e-17);
 }
 
 TEST(EngineCoefficients, NumbersOfOneEngineBelongTogether) {
