@@ -377,7 +377,7 @@ def lint_geoms(scene, members, kinds, torsion, in_pair, rows):
 
 def lint_pair(pair, s, geoms_turn, rows):
     """`geoms_turn`: a geom of the pair has torsion, the pair says nothing."""
-    slide, second, torsional, *rolls = s.friction
+    slide, second, torsional, *_ = s.friction
     what, verdict, note = f"pair {pair.get('geom1')} {pair.get('geom2')}", "", ""
     if second * ANISOTROPY < slide:
         verdict = "geom order"
@@ -397,8 +397,8 @@ def lint_urdf(root, rows):
     for link in root.every("link"):
         contact = link.child("contact")
         found = {c.tag: c for c in contact.children} if contact else {}
-        value = {tag: found[tag].numbers("value")[0] for tag in found if tag.endswith("_friction")}
         if "spinning_friction" in found:
+            value = {tag: found[tag].numbers("value")[0] for tag in found if tag.endswith("_friction")}
             rolls = value.get("rolling_friction", 0) > 0
             rows.add(found["spinning_friction"], f"link {link.get('name')}", "bullet.spinning_friction",
                      value["spinning_friction"], value.get("lateral_friction", 0.5),
