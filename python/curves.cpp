@@ -300,7 +300,9 @@ void add_tables(nb::module_& module) {
       .def_prop_ro("law_name", &Table::law_name, "The law in words.")
       .def_prop_ro("nbytes", &Table::bytes, "Bytes that a look-up may touch.")
       .def("__repr__", [](const Table& self) {
-        return "<Table of " + self.law_name() + ", error <= " + format_number(self.checked_error()) + ">";
+        const double own = self.profile_error();
+        return "<Table of " + self.law_name() + ", error <= " + format_number(self.checked_error()) +
+               (own > self.checked_error() ? " from a law known to " + format_number(own, 2) : "") + ">";
       });
 }
 

@@ -11,6 +11,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -70,13 +71,22 @@ PyPatch asked(cli::PatchArgument argument) {
 }
 
 nb::object slips(const PyPatch& patch, const BoundArguments& given) {
-  const nb::object twists =
-      of_numbers<3, 16, 3>({given[0], given[1], given[2]}, {"fx", "fy", "moment"}, {any, any, any},
+  constexpr double much = 1e-6;
+  std::atomic<double> worst = 0.0;
+  const nb::object found =
+      of_numbers<4, 16, 3>({given[0], given[1], given[2]}, {"fx", "fy", "moment"}, {any, any, any},
                            [&](const std::array<double, 3>& wrench) {
-                             const PatchTwist twist = patch.slip({wrench[0], wrench[1], wrench[2]}).twist;
-                             return std::array{twist.vx, twist.vy, twist.omega};
+                             const auto [twist, gauge, error] = patch.slip({wrench[0], wrench[1], wrench[2]});
+                             // An image's own error is larger, and known from `wrench`.
+                             if (error > much && error > 10.0 * patch.about_origin(twist).error) worst = error;
+                             return std::array{twist.vx, twist.vy, twist.omega, error};
                            });
-  return numpy("stack")(twists, -1);
+  if (worst > 0.0)
+    warn("slip: a twist needs a wrench that is off by up to " + format_number(worst) +
+         " of the load: ask for the errors with error=True");
+  const nb::object twists = numpy("stack")(nb::make_tuple(found[0], found[1], found[2]), -1);
+  if (!truth_of(given[3])) return twists;
+  return nb::make_tuple(twists, found[3]);
 }
 
 nb::object half_spaces_of(const PyPatch& patch, const BoundArguments& given) {
@@ -268,13 +278,19 @@ void add_patches(nb::module_& module) {
                          "other and mu; inf if no load does. Releases the GIL.");
   define<const PyPatch&>(type,
                          "def slip(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: "
-                         "numpy.typing.ArrayLike) -> typing.Any",
+                         "numpy.typing.ArrayLike, *, error: bool = False) -> typing.Any",
                          &slips,
                          "The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under "
                          "friction wrenches [N, N m], broadcast\n"
                          "against each other: shape (…, 3). They have power 1 W against the wrench; NaN for wrench 0, "
-                         "and where no load holds. Releases the\n"
-                         "GIL.");
+                         "and where no load holds. With `error`\n"
+                         "also a bound of the larger of |dF|/(mu P) and |dM|/(mu P m0), from the wrench at the "
+                         "load that just holds it to what the slip\n"
+                         "needs; it warns of more than 1e-6 that is not the patch's own. Releases the GIL.\n\n"
+                         ">>> import limitcurve as lc\n"
+                         ">>> slip, error = lc.Patch.rectangle(0.02, 0.02).slip(0, 1, 0, error=True)\n"
+                         ">>> abs(slip - [0, 1, 0]).max() < 1e-9 and bool(error < 1e-12)\n"
+                         "True\n");
   define<const PyPatch&>(
       type, "def half_spaces(self, rows: int = 32) -> tuple[typing.Any, typing.Any, float]", &half_spaces_of,
       "Friction for a planner: A of shape (n, 3), V of shape (v, 3) and their share, inside the limit surface. A @ "

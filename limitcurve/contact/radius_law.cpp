@@ -55,9 +55,13 @@ RadiusLaw RadiusLaw::sampled(std::span<const LoadSample> radii) {
     const LoadSample& before = radii[i - 1];
     if (!(radii[i].load > before.load))
       throw out_of_range("load" + sample, radii[i].load, "N", "greater than the one before");
-    const double exponent = std::log(radii[i].value / before.value) / std::log(radii[i].load / before.load);
-    if (!(exponent > -1.0 && exponent <= 1.0))
+    const double ratio = std::log(radii[i].load / before.load);
+    double exponent = std::log(radii[i].value / before.value) / ratio;
+    // Radii in proportion to the load, as decimals give them: 1 but for their rounding.
+    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (1.0 + 1.0 / ratio);
+    if (!(exponent > -1.0 && exponent <= 1.0 + rounding))
       throw out_of_range("exponent before sample " + std::to_string(i + 1), exponent, "1", "-1 < gamma <= 1");
+    exponent = std::min(exponent, 1.0);
     stretches->push_back({before.load, before.value * std::pow(before.load, -exponent), exponent});
   }
   // The first stretch also holds for every smaller load.

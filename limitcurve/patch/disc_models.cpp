@@ -3,6 +3,7 @@
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
@@ -49,6 +50,7 @@ class Comparison {
       throw std::invalid_argument("all load of the patch is on one point, expected a patch that resists a turn");
     for (std::size_t i = 0; i < distances; ++i) {
       for (std::size_t j = 0; j < directions; ++j) {
+        let_interrupt();
         grid_.push_back(cor_at(i, j));
         const PatchFriction friction = patch_.evaluate(twist_at(grid_.back()));
         power_.push_back(friction.power);
@@ -59,6 +61,7 @@ class Comparison {
     for (const auto& [x, y, load] : patch_.round_measures().concentrations) {
       const double distance = std::hypot(x - centre.x, y - centre.y);
       if (!(distance > 0.0)) continue;  // pure spin
+      let_interrupt();
       concentrations_.push_back({std::atan2(y - centre.y, x - centre.x), std::log10(distance / length_)});
       concentrated_power_.push_back(patch_.power(twist_at(concentrations_.back())));
     }
@@ -72,13 +75,17 @@ class Comparison {
     double squares = 0.0;
     double power = 0.0;
     for (std::size_t i = 0; i < grid_.size(); ++i) {
+      let_interrupt();
       if (!model.is_isotropic || i % directions == 0) power = model.power(twist_at(grid_[i]));
       ratio[i] = power / power_[i];
       squares += (ratio[i] - 1.0) * (ratio[i] - 1.0);
       if (ratio[i] > ratio[most]) most = i;
       if (ratio[i] < ratio[least]) least = i;
     }
-    const auto ratio_at = [&](const Cor& cor) { return model.power(twist_at(cor)) / patch_.power(twist_at(cor)); };
+    const auto ratio_at = [&](const Cor& cor) {
+      let_interrupt();
+      return model.power(twist_at(cor)) / patch_.power(twist_at(cor));
+    };
     double largest = climb(grid_[most], ratio[most], ratio_at);
     double highest = 0.0;
     Cor sharpest{};
@@ -152,6 +159,7 @@ class Comparison {
       double over = a * law.moment_ratio() / length_;  // pure spin
       double under = over;
       for (std::size_t i = 0; i < distances; ++i) {
+        let_interrupt();
         const PatchTwist twist = twist_at(grid_[i * directions]);
         const double disc = disc_power(law, a, twist, factor_);
         const auto [low, high] =
@@ -161,6 +169,7 @@ class Comparison {
         under = std::min(under, disc / *high);
       }
       for (std::size_t i = 0; i < concentrations_.size(); ++i) {
+        let_interrupt();
         over = std::max(over, disc_power(law, a, twist_at(concentrations_[i]), factor_) / concentrated_power_[i]);
       }
       return std::pair{over - 1.0, 1.0 - under};
@@ -228,6 +237,7 @@ class Comparison {
       error.min_cor_ratio = std::min(error.min_cor_ratio, ratio);
     };
     const auto ratio = [&](const Cor& cor, const PatchWrench& wrench) {
+      let_interrupt();
       return model.cor_distance(wrench) / (length_ * std::pow(10.0, cor.exponent));
     };
     for (std::size_t i = 0; i < grid_.size(); ++i) take(ratio(grid_[i], wrench_[i]));

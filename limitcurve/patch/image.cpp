@@ -170,7 +170,10 @@ struct Image final : Shape {
 
   /// Sums the error of each pixel's force, from fourth moments, and of its moment, with the lever.
   [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
-    const double rounding = (8.0 + static_cast<double>(xs.size()) / 8.0) * epsilon * (1.0 + radius / moment_ratio);
+    // The closed form of a slim pixel near the COR loses digits in the ratio of its sides.
+    const double slim = std::max(side_x, side_y) / std::min(side_x, side_y) - 1.0;
+    const double terms = 8.0 + static_cast<double>(xs.size()) / 8.0 + 4.0 * slim;
+    const double rounding = terms * epsilon * (1.0 + radius / moment_ratio);
     if (only_slides(twist, radius)) return rounding;
     const PatchPoint cor{-twist.vy / twist.omega, twist.vx / twist.omega};
     const double square = std::max(side_x, side_y) * std::max(side_x, side_y);

@@ -49,10 +49,10 @@ PatchFriction scaled(const PatchTwist& twist, double reach, const Evaluate& eval
 
 namespace patch {
 
-PatchFriction Shape::about_origin(const PatchTwist& twist, PatchPoint factors) const noexcept {
-  const PatchTwist stretched{factors.x * twist.vx, factors.y * twist.vy, twist.omega};
-  const PatchPoint velocity = velocity_at(stretched, centre.x, centre.y);
-  const PatchTwist here{velocity.x, velocity.y, twist.omega};
+PatchFriction Shape::about_origin(const PatchTwist& twist, PatchPoint factors, PatchPoint middle) const noexcept {
+  // Stretched only now: far from the origin the factors would round the twist by more than its part at the patch.
+  const PatchPoint velocity = velocity_at(twist, middle.x, middle.y);
+  const PatchTwist here{factors.x * velocity.x, factors.y * velocity.y, twist.omega};
   if (velocity.x == 0.0 && velocity.y == 0.0 && twist.omega == 0.0) return {};
   PatchFriction friction = evaluate(here);
   // Moving the reference point rounds the velocity by ε of its terms; the lever multiplies the error of the force.
@@ -132,7 +132,7 @@ PatchFriction Patch::evaluate(const PatchTwist& twist) const noexcept {
 PatchFriction Patch::about_origin(const PatchTwist& twist) const noexcept {
   const double reach = shape_->radius + std::hypot(shape_->centre.x, shape_->centre.y);
   PatchFriction friction = scaled(twist, reach, [this](const PatchTwist& one) {
-    return shape_->about_origin(one, {mx_, my_});
+    return shape_->about_origin(one, {mx_, my_}, centre_);
   });
   if (mx_ != 1.0 || my_ != 1.0) friction.error = (friction.error + 2.0 * patch::epsilon) * std::max({1.0, mx_, my_});
   return friction;

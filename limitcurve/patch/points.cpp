@@ -101,7 +101,8 @@ struct Points final : Shape {
     return rounding(loads.size(), radius, moment_ratio) +
            lost * (1.0 + (moment_ratio > 0.0 ? radius / moment_ratio : 0.0));
   }
-  [[nodiscard]] PatchFriction about_origin(const PatchTwist& twist, PatchPoint factors) const noexcept override {
+  [[nodiscard]] PatchFriction about_origin(const PatchTwist& twist, PatchPoint factors,
+                                           PatchPoint) const noexcept override {
     double lost = 0.0;
     PatchFriction friction = sum(twist, {0.0, 0.0}, factors, lost);
     friction.wrench.fx *= factors.x;

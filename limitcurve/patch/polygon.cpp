@@ -47,20 +47,25 @@ struct Polygon final : Shape {
     double p;    ///< distance of its line from the centre of pressure, along the normal
     double mid;  ///< twice the coordinate of its middle along the line, from the point nearest the centre of pressure
   };
-  std::vector<PatchPoint> vertices;  ///< counter-clockwise, in the user's coordinates
+  std::vector<PatchPoint> vertices;  ///< counter-clockwise, from `base` in the coordinates of the twist
+  PatchPoint base;
+  PatchPoint middle;  ///< the centre of pressure, from `base`
   std::vector<Edge> edges;
   double whole_area = 0.0;
   double perimeter = 0.0;
   EdgeRule rule;
 
-  explicit Polygon(std::vector<PatchPoint> corners) : vertices(std::move(corners)) {
+  explicit Polygon(std::vector<PatchPoint> corners, PatchPoint reference = {})
+      : vertices(std::move(corners)), base(reference) {
     measure();
+    if (base.x != 0.0 || base.y != 0.0) middle = {};  // but for the rounding of `base`
+    centre = {base.x + middle.x, base.y + middle.y};
     const std::size_t count = vertices.size();
     for (std::size_t i = 0; i < count; ++i) {
       const PatchPoint& from = vertices[i];
       const PatchPoint& to = vertices[(i + 1) % count];
-      const double x = from.x - centre.x;
-      const double y = from.y - centre.y;
+      const double x = from.x - middle.x;
+      const double y = from.y - middle.y;
       const double dx = to.x - from.x;
       const double dy = to.y - from.y;
       const double length = std::hypot(dx, dy);
@@ -74,7 +79,7 @@ struct Polygon final : Shape {
 
   /// Area and centre of pressure; turns the vertices counter-clockwise.
   void measure() {
-    const PatchPoint base = vertices.front();
+    const PatchPoint front = vertices.front();
     Extended area = 0;
     Extended ax = 0;
     Extended ay = 0;
@@ -82,15 +87,15 @@ struct Polygon final : Shape {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const PatchPoint& from = vertices[i];
       const PatchPoint& to = vertices[(i + 1) % vertices.size()];
-      const Extended x1 = Extended(from.x) - base.x;
-      const Extended y1 = Extended(from.y) - base.y;
-      const Extended x2 = Extended(to.x) - base.x;
-      const Extended y2 = Extended(to.y) - base.y;
+      const Extended x1 = Extended(from.x) - front.x;
+      const Extended y1 = Extended(from.y) - front.y;
+      const Extended x2 = Extended(to.x) - front.x;
+      const Extended y2 = Extended(to.y) - front.y;
       const Extended cross = x1 * y2 - x2 * y1;
       area += cross / 2;
       ax += cross * (x1 + x2) / 6;
       ay += cross * (y1 + y2) / 6;
-      reach = std::max({reach, std::fabs(to.x - base.x), std::fabs(to.y - base.y)});
+      reach = std::max({reach, std::fabs(to.x - front.x), std::fabs(to.y - front.y)});
     }
     // A smaller area is rounding of the vertices.
     constexpr Extended least = 1e-12L;
@@ -98,7 +103,7 @@ struct Polygon final : Shape {
       throw std::invalid_argument("the polygon has area " + format_number(static_cast<double>(std::fabs(area))) +
                                   " m^2, expected more than 1e-12 of its extent squared");
     }
-    centre = {static_cast<double>(base.x + ax / area), static_cast<double>(base.y + ay / area)};
+    middle = {static_cast<double>(front.x + ax / area), static_cast<double>(front.y + ay / area)};
     if (area < 0) std::reverse(vertices.begin(), vertices.end());
     whole_area = static_cast<double>(std::fabs(area));
   }
@@ -198,8 +203,9 @@ struct Polygon final : Shape {
 
   [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
     std::vector<PatchPoint> there = vertices;
-    for (PatchPoint& vertex : there) vertex = {vertex.x * sx, vertex.y * sy};
-    return std::make_shared<Polygon>(std::move(there));
+    // From the centre: far from the origin the products would lose the digits of the shape.
+    for (PatchPoint& vertex : there) vertex = {(vertex.x - middle.x) * sx, (vertex.y - middle.y) * sy};
+    return std::make_shared<Polygon>(std::move(there), PatchPoint{centre.x * sx, centre.y * sy});
   }
   [[nodiscard]] double area() const override { return whole_area; }
   [[nodiscard]] double nanoseconds() const noexcept override { return 10.0 + 16.0 * static_cast<double>(edges.size()); }

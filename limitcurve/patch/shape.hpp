@@ -41,9 +41,10 @@ struct Shape {
   /// Bound on the error of `evaluate`.
   [[nodiscard]] virtual double error(const PatchTwist& twist) const noexcept = 0;
   /// Under orthotropic friction `factors` = (mx, my): H, its gradient and the error at the user's twist, where this
-  /// shape is the patch with x times my and y times mx. Twist and moment refer to the origin. The caller scales as for
-  /// `evaluate`.
-  [[nodiscard]] virtual PatchFriction about_origin(const PatchTwist& twist, PatchPoint factors) const noexcept;
+  /// shape is the patch with x times my and y times mx, and `middle` the patch's centre. Twist and moment refer to the
+  /// origin. The caller scales as for `evaluate`.
+  [[nodiscard]] virtual PatchFriction about_origin(const PatchTwist& twist, PatchPoint factors,
+                                                   PatchPoint middle) const noexcept;
 
   /// The shape with coordinates times (sx, sy) and the same loads.
   [[nodiscard]] virtual std::shared_ptr<Shape> stretched(double sx, double sy) const = 0;

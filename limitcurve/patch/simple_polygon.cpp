@@ -3,7 +3,7 @@
 #include "limitcurve/pressure_law.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -60,23 +60,52 @@ void check_simple(std::span<const PatchPoint> vertices) {
                                   ": its two edges lie on each other and enclose no area, expected a simple polygon");
     }
   }
-  // Sweep along x, edges in order of their left ends: compare an edge only with those whose range of x overlaps its
-  // own.
-  const auto left = [&](std::size_t i) { return std::min(vertex(i).x, vertex(i + 1).x); };
-  const auto right = [&](std::size_t i) { return std::max(vertex(i).x, vertex(i + 1).x); };
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) { return left(one) < left(other); });
-  std::set<std::pair<double, std::size_t>> open;
-  for (const std::size_t i : order) {
-    while (!open.empty() && open.begin()->first < left(i)) open.erase(open.begin());
-    for (const auto& [end, j] : open) {
-      const bool neighbours = (i + 1) % count == j || (j + 1) % count == i;
-      if (neighbours || !meet(vertex(i), vertex(i + 1), vertex(j), vertex(j + 1))) continue;
-      throw std::invalid_argument(edge_name(std::min(i, j), count) + " meets " + edge_name(std::max(i, j), count) +
-                                  ", expected a polygon that does not meet itself");
+  // Shamos and Hoey's sweep along x: the edges that the line crosses are kept in their order along it, and only
+  // neighbours there are compared. Until two edges meet the order does not change.
+  const auto is_before = [](const PatchPoint& a, const PatchPoint& b) {
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+  };
+  const auto first = [&](std::size_t i) { return std::min(vertex(i), vertex(i + 1), is_before); };
+  const auto last = [&](std::size_t i) { return std::max(vertex(i), vertex(i + 1), is_before); };
+  /// Whether edge i begins to the left of j or with it, and lies below it where both are.
+  const auto starts_below = [&](std::size_t i, std::size_t j) {
+    const int begins = turn(first(i), last(i), first(j));
+    const int side = begins != 0 ? begins : turn(first(i), last(i), last(j));
+    return side != 0 ? side > 0 : i < j;
+  };
+  const auto is_below = [&](std::size_t i, std::size_t j) {
+    return i != j && (is_before(first(j), first(i)) ? !starts_below(j, i) : starts_below(i, j));
+  };
+  const auto compare = [&](std::size_t i, std::size_t j) {
+    const bool neighbours = (i + 1) % count == j || (j + 1) % count == i;
+    if (neighbours || !meet(vertex(i), vertex(i + 1), vertex(j), vertex(j + 1))) return;
+    throw std::invalid_argument(edge_name(std::min(i, j), count) + " meets " + edge_name(std::max(i, j), count) +
+                                ", expected a polygon that does not meet itself");
+  };
+  struct Event {
+    PatchPoint at;
+    bool ends;
+    std::size_t edge;
+  };
+  std::vector<Event> events;
+  for (std::size_t i = 0; i < count; ++i) events.insert(events.end(), {{first(i), false, i}, {last(i), true, i}});
+  // At one point edges begin before others end: they meet there.
+  std::sort(events.begin(), events.end(), [&](const Event& one, const Event& other) {
+    return is_before(one.at, other.at) || (!is_before(other.at, one.at) && one.ends < other.ends);
+  });
+  std::set<std::size_t, decltype(is_below)> open(is_below);
+  std::vector<decltype(open)::iterator> places(count);
+  for (const auto& [at, ends, edge] : events) {
+    if (!ends) places[edge] = open.insert(edge).first;
+    const auto here = places[edge];
+    const auto above = std::next(here);
+    if (here != open.begin()) {
+      const auto below = std::prev(here);
+      compare(*below, edge);
+      if (ends && above != open.end()) compare(*below, *above);
     }
-    open.emplace(right(i), i);
+    if (above != open.end()) compare(edge, *above);
+    if (ends) open.erase(here);
   }
 }
 

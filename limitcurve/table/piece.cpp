@@ -78,10 +78,12 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
     look((place(k) + place(k + 1)) / 2);
     if (k % 2 == 1) look(place(k));
   }
-  // The curve may be singular at an end of the side; then the largest error is nearer to it.
+  // The curve may be singular at an end of the side. In a cell that is much wider than what lies between it and that
+  // end, the error may then be largest just beside the smaller neighbour.
+  const double wide = (right_ - left_) / 16.0;
   for (const double fraction : {0.01, 0.004, 0.0015}) {
-    if (left_ == 0.0) look(fraction * right_);
-    if (right_ == 1.0) look(1.0 - fraction * (1.0 - left_));
+    if (left_ < wide) look(left_ + fraction * (right_ - left_));
+    if (1.0 - right_ < wide) look(right_ - fraction * (right_ - left_));
   }
   // Around each break, as far as its neighbours, which have samples of their own.
   const std::vector<double>& breaks = source.breaks;

@@ -73,6 +73,16 @@ TEST(SampledRadiusLaw, IsThatOfTheMomentsItIsMadeOf) {
               1e-16);
 }
 
+TEST(SampledRadiusLaw, TakesRadiiInProportionToTheLoad) {
+  for (const double step : {1.4, 0.1, 1e-3, 1e-7}) {
+    std::vector<LoadSample> rows;
+    for (const int k : {0, 1, 2, 3, 7, 8}) rows.push_back({0.5 + step * k, 0.0014 * (0.5 + step * k)});
+    const RadiusLaw law = RadiusLaw::sampled(rows);
+    for (const auto& [load, value] : rows) EXPECT_NEAR(law.radius(load) / value, 1.0, 1e-14) << step;
+    EXPECT_LE(law.growth(1e3, 1.0), 1e3) << step;
+  }
+}
+
 TEST(SampledRadiusLaw, RefusesWhatIsNoLaw) {
   const auto refused = [](const std::vector<LoadSample>& rows, const char* told) {
     expect_mention(complaint([&] { RadiusLaw::sampled(rows); }), told);

@@ -272,5 +272,22 @@ TEST(Table, OutlivesWhatItWasCopiedFrom) {
   EXPECT_NEAR(table.wrench({0.0, 1.0}).moment, 2.0 / 3.0, 1e-15);
 }
 
+// A cell may be much wider than all before it: then its error is largest just beside them.
+TEST(Table, CheckedErrorHoldsBesideNarrowCells) {
+  const Law law = parse_law("mix:0.9927*xydas-kao:k=0.01687+0.0073*uniform");
+  const Table table = Table::build(law, 1.00529e-7);
+  const TableCells cells = table.cells();
+  for (const TableCell& cell : cells.inside) {
+    for (double part = 1e-4; part < 0.1; part *= 1.1) {
+      const double s = cell.x + part * (1.0 - cell.x);
+      const auto exact = law->forces(s, Slope::unwanted);
+      const UnitWrench found = table.wrench(SlipTwist::about_cor(s));
+      EXPECT_LE(std::max(std::fabs(exact.force - found.force), std::fabs(exact.moment - found.moment)),
+                table.checked_error())
+          << s;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace limitcurve

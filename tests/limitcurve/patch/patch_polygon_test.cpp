@@ -83,5 +83,22 @@ TEST(PatchPolygon, OfTenThousandVerticesIsTheDisc) {
   }
 }
 
+// Long edges side by side, in any direction, are compared with their neighbours alone.
+TEST(PatchPolygon, ACombOfManyTeethIsChecked) {
+  constexpr int teeth = 10000;
+  for (const double angle : {0.0, 0.3, 0.785, 1.571}) {
+    std::vector<PatchPoint> comb{{-5, 4.0 * teeth}, {-5, 0}};
+    for (int i = 0; i < teeth; ++i) {
+      const double y = 4.0 * i;
+      comb.insert(comb.end(), {{1e5, y}, {1e5, y + 1}, {0, y + 1}, {0, y + 4}});
+    }
+    for (PatchPoint& at : comb)
+      at = {at.x * std::cos(angle) - at.y * std::sin(angle), at.x * std::sin(angle) + at.y * std::cos(angle)};
+    EXPECT_GT(Patch::polygon(comb).moment_ratio(), 0.0);
+    std::swap(comb[2000], comb[2004]);
+    EXPECT_THROW(Patch::polygon(comb), std::invalid_argument);
+  }
+}
+
 }  // namespace
 }  // namespace limitcurve::test

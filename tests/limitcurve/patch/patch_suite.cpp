@@ -361,6 +361,38 @@ TEST(PatchOrigin, TwistsOfTheOriginGiveTheSameForces) {
   }
 }
 
+// Vertices and offsets are dyadic, so that nothing is rounded but by the library.
+TEST(PatchOrigin, StatedErrorsHoldFarAwayAndForSlimPixels) {
+  const auto expect_same = [](const PatchFriction& one, const PatchFriction& other, PatchPoint lever, double m0) {
+    const double error = one.error + other.error;
+    EXPECT_LE(std::fabs(one.power / other.power - 1.0), error);
+    EXPECT_LE(std::hypot(one.wrench.fx - other.wrench.fx, one.wrench.fy - other.wrench.fy), error);
+    EXPECT_LE(
+        std::fabs(one.wrench.moment - other.wrench.moment - lever.x * other.wrench.fy + lever.y * other.wrench.fx),
+        error * m0);
+  };
+  for (const double off : {0.0, 3.0, 1000.0, 65536.0}) {
+    std::vector<PatchPoint> near{{0, 0}, {4, 0}, {4, 0.75}, {1, 1}, {1.25, 3}, {0, 3}};
+    std::vector<PatchPoint> away = near;
+    for (PatchPoint& vertex : away) vertex = {vertex.x + off, vertex.y - 0.5 * off};
+    const Patch one = Patch::polygon(near).orthotropic(0.3, 1.7);
+    const Patch other = Patch::polygon(away).orthotropic(0.3, 1.7);
+    for (const double x : {-1.0, 0.5, 1.0, 6.25}) {
+      for (const double y : {-2.0, 0.25, 1.0, 3.5}) {
+        expect_same(other.about_origin({y - 0.5 * off, -(x + off), 1.0}), one.about_origin({y, -x, 1.0}),
+                    {off, -0.5 * off}, one.moment_ratio());
+      }
+    }
+  }
+  for (const double slim : {0.5, 5e-3, 1e-4, 2e-6}) {
+    const Patch pixel = Patch::image(std::vector<double>{1.0}, 1, slim, 1.0);
+    const Patch rectangle = Patch::rectangle(slim, 1.0);
+    for (const double y : {0.0, 0.1, 0.3, 0.49})
+      expect_same(pixel.about_origin({y, -0.3 * slim, 1.0}), rectangle.about_origin({y, -0.3 * slim, 1.0}), {},
+                  pixel.moment_ratio());
+  }
+}
+
 }  // namespace
 
 }  // namespace limitcurve
