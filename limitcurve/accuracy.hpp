@@ -20,8 +20,8 @@ inline constexpr double forces_closed = 1e-14;
 inline constexpr double forces_by_quadrature = 1e-13;
 
 /// `Patch`: the largest of the power's relative error, |ΔF| and |ΔM|/m₀, for unit load. In order: points, and polygons
-/// of an aspect up to 10; ellipses under hertz, flat-punch, uniform, parabolic, cone, power:n ≥ −0.3; ellipses under
-/// other laws, without the law's profile_error.
+/// of an aspect up to 10; ellipses under Hertz, the flat punch, and laws in closed form with one smooth piece whose rim
+/// is no steeper than rim^(−0.3); ellipses under other laws, without the law's profile_error.
 inline constexpr double patch_points = 1e-13;
 inline constexpr double patch_ellipse = 1e-12;
 inline constexpr double patch_ellipse_other = 1e-10;

@@ -29,26 +29,22 @@ double clenshaw(const auto& series, double x) noexcept {
 }  // namespace
 
 LineProfile::LineProfile(Law law) : law_(std::move(law)), outer_(static_cast<double>(law_->breaks().back())) {
-  const std::string name = law_->name();
-  is_polynomial_ = true;
-  if (name == "hertz") {
-    polynomial_ = {3.0 / 8.0, 3.0 / 4.0, -1.0 / 8.0};
-    return;
+  // By its numbers, not its name: Hertz is also power:n=0.5, and an own law may have any name.
+  const bool has_unit_disc = outer_ == 1.0 && law_->breaks().size() == 2;
+  for (const std::array<double, 3>& series :
+       {std::array{3.0 / 8.0, 3.0 / 4.0, -1.0 / 8.0}, std::array{0.5, 0.5, 0.0}}) {  // Hertz, flat punch
+    polynomial_ = series;
+    is_polynomial_ = has_unit_disc && is_its_polynomial();
+    if (is_polynomial_) return;
   }
-  if (name == "flat-punch") {
-    polynomial_ = {0.5, 0.5, 0.0};
-    return;
-  }
-  is_polynomial_ = false;
-  is_smooth_ = name == "uniform" || name == "parabolic" || name == "cone" ||
-               (name.starts_with("power:") && law_->rim_exponent() >= -0.3L);
+  is_smooth_ = has_unit_disc && law_->rim_exponent() >= -0.3L && law_->closed(1, Slope::unwanted).has_value();
   for (const Extended place : law_->breaks()) kinks_.push_back(static_cast<double>(place));
   kinks_.pop_back();
   if (kinks_.empty() || kinks_.front() > 0.0) kinks_.insert(kinks_.begin(), 0.0);
   mean_distance_ = law_->line_profile(0.0).forces.moment;
   constexpr double sharpest = 1e-4;
   if (!(mean_distance_ >= sharpest * outer_)) {
-    throw std::invalid_argument("law " + name + ": its mean distance from a diameter is " +
+    throw std::invalid_argument("law " + law_->name() + ": its mean distance from a diameter is " +
                                 format_number(mean_distance_ / outer_) +
                                 " of its radius, too sharp for an ellipse, expected >= 1e-4 (xydas-kao: k >= 0.05)");
   }
@@ -66,6 +62,19 @@ LineProfile::LineProfile(Law law) : law_(std::move(law)), outer_(static_cast<dou
   }
   constexpr double rounding = 1e-14;
   tabulate(std::max(rounding, 0.01 * error_));
+}
+
+bool LineProfile::is_its_polynomial() const noexcept {
+  constexpr int places = 16;
+  constexpr double rounding = 1e-13;
+  for (int i = 0; i < places; ++i) {
+    const double t = static_cast<double>(i) / places;
+    const UnitForces<double> exact = law_->line_profile(t).forces;
+    const Value value = at_polynomial(t);
+    if (!(std::fabs(exact.force - value.slope) <= rounding && std::fabs(exact.moment - value.remainder) <= rounding))
+      return false;
+  }
+  return law_->profile_error() == 0.0;
 }
 
 void LineProfile::tabulate(double tolerance) {
@@ -124,13 +133,15 @@ LineProfile::Value LineProfile::at(const Cell& cell, double t) noexcept {
   return {clenshaw(cell.slope, x), clenshaw(cell.remainder, x)};
 }
 
+LineProfile::Value LineProfile::at_polynomial(double t) const noexcept {
+  const double square = std::min(std::fabs(t), 1.0) * std::min(std::fabs(t), 1.0);
+  const auto& [g0, g2, g4] = polynomial_;
+  return {std::clamp(t, -1.0, 1.0) * (2.0 * g2 + 4.0 * g4 * square), g0 - g2 * square - 3.0 * g4 * square * square};
+}
+
 LineProfile::Value LineProfile::operator()(double t) const noexcept {
   const double place = std::fabs(t);
-  if (is_polynomial_) {
-    const double square = std::min(place, 1.0) * std::min(place, 1.0);
-    const auto& [g0, g2, g4] = polynomial_;
-    return {std::clamp(t, -1.0, 1.0) * (2.0 * g2 + 4.0 * g4 * square), g0 - g2 * square - 3.0 * g4 * square * square};
-  }
+  if (is_polynomial_) return at_polynomial(t);
   if (!(place < outer_)) return {std::copysign(1.0, t), 0.0};
   const auto after = std::upper_bound(cells_.begin() + 1, cells_.end(), place,
                                       [](double p, const Cell& cell) { return p < cell.begin; });

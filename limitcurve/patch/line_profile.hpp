@@ -48,10 +48,13 @@ class LineProfile {
     std::array<double, order> remainder;
   };
 
+  /// Whether the law's own profile is `polynomial_`, to rounding.
+  [[nodiscard]] bool is_its_polynomial() const noexcept;
   void tabulate(double tolerance);
   /// Adds cells until each is accurate to `tolerance`, or cannot be made so. `before` is the error of the cell being
   /// halved. Returns the largest error of the cells.
   double add_cells(double begin, double end, double tolerance, double before);
+  [[nodiscard]] Value at_polynomial(double t) const noexcept;
   [[nodiscard]] static Value at(const Cell& cell, double t) noexcept;
 
   Law law_;

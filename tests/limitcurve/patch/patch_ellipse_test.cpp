@@ -50,19 +50,69 @@ void expect_ellipse(const char* law_name, double bound) {
 }
 
 TEST(PatchEllipse, SmoothLawsAreTheIntegralOverRays) {
-  for (const char* law :
-       {"hertz", "flat-punch", "uniform", "parabolic", "cone", "power:n=2.3", "power:n=-0.3", "power:n=0.2"}) {
+  for (const char* law : {"hertz", "flat-punch", "uniform", "parabolic", "cone", "power:n=2.3", "power:n=-0.3",
+                          "power:n=0.2", "power:n=-0.5", "power:n=0.5"}) {
     expect_ellipse(law, accuracy::patch_ellipse);
   }
 }
 
 TEST(PatchEllipse, OtherLawsAreTheIntegralOverRays) {
-  for (const char* law :
-       {"xydas-kao:k=3", "xydas-kao:k=1", "gaussian:sigma=0.4", "mix:0.7*hertz+0.3*uniform", "power:n=-0.9"}) {
+  for (const char* law : {"xydas-kao:k=3", "xydas-kao:k=1", "gaussian:sigma=0.4", "mix:0.7*hertz+0.3*uniform",
+                          "power:n=-0.9", "uniform-wear"}) {
     // In double the rays end too far from this rim: they give ten digits, while the patch gives the same 17 as
     // elsewhere.
     if (!accuracy::has_extended && parse_law(law)->rim_exponent() <= -0.9L) continue;  // as in law_suite.cpp
     expect_ellipse(law, accuracy::patch_ellipse_other);
+  }
+}
+
+/// A law of the user, whatever it is called: 2ρ², or 0.5 and then 1.5 beyond ρ² = 0.5, a jump.
+class Own final : public PressureLawOf<Own> {
+ public:
+  Own(std::string name, bool jumps) : name_(std::move(name)), jumps_(jumps) {}
+  [[nodiscard]] std::string name() const override { return name_; }
+  [[nodiscard]] const std::vector<Extended>& breaks() const noexcept override {
+    static const std::vector<Extended> jump{0, std::sqrt(Extended(0.5)), 1};
+    return jumps_ ? jump : PressureLaw::breaks();
+  }
+  template <class Real>
+  [[nodiscard]] Real pressure(RadialPosition<Real> at) const noexcept {
+    const Real square = at.radius * at.radius;
+    if (jumps_) return square < Real(0.5) ? Real(0.5) : Real(1.5);
+    return 2 * square;
+  }
+
+ private:
+  std::string name_;
+  bool jumps_;
+};
+
+TEST(PatchEllipse, ALawIsItsNumbersNotItsName) {
+  for (const bool jumps : {false, true}) {
+    const Patch own = Patch::ellipse(std::make_shared<Own>("own", jumps), 0.005, 0.004);
+    for (const char* name : {"hertz", "flat-punch", "uniform", "cone", "power:mine"}) {
+      const Patch named = Patch::ellipse(std::make_shared<Own>(name, jumps), 0.005, 0.004);
+      EXPECT_EQ(named.moment_ratio(), own.moment_ratio()) << name;
+      for (const PatchTwist& twist : twists(0.005, 10, -1.0, 1.0)) {
+        const PatchFriction friction = named.about_origin(twist);
+        EXPECT_EQ(friction.power, own.about_origin(twist).power) << name;
+        EXPECT_GE(friction.error, accuracy::patch_ellipse_other) << name;
+      }
+    }
+    const auto law = std::make_shared<Own>("hertz", jumps);
+    EXPECT_NEAR(Patch::ellipse(law, 1.0, 1.0).moment_ratio(), law->moment_ratio(), 1e-12);
+  }
+}
+
+TEST(PatchEllipse, EqualLawsHaveEqualBoundsUnderEitherName) {
+  for (const auto& [one, other] : {std::pair{hertz(), power(0.5)}, std::pair{flat_punch(), power(-0.5)}}) {
+    const Patch a = Patch::ellipse(one, 0.005, 0.004);
+    const Patch b = Patch::ellipse(other, 0.005, 0.004);
+    for (const PatchTwist& twist : twists(0.005, 50, -1.0, 1.0)) {
+      // The same polynomial, and so the same bits, cost and bound.
+      EXPECT_EQ(a.about_origin(twist).power, b.about_origin(twist).power) << other->name();
+      EXPECT_EQ(a.about_origin(twist).error, b.about_origin(twist).error) << other->name();
+    }
   }
 }
 
