@@ -2,6 +2,7 @@
 
 #include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/column_list.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/unit_checks.hpp"
 #include "limitcurve/internal/number_list.hpp"
@@ -19,37 +20,44 @@ namespace limitcurve::cli {
 
 namespace {
 
+constexpr std::array candidate_columns = std::to_array<ListedColumn<Candidate>>({
+    {"model", of<&Candidate::model>},
+    {"parameter", of<&Candidate::parameter>, "as in validate (table: its tolerance; exact: nan)"},
+    {"error", of<&Candidate::error>,
+     "the largest, of the radius on a ray in the normalised plane: whether a contact holds; how it moves is a question "
+     "for --scene"},
+    {"nanoseconds", of<&Candidate::nanoseconds>,
+     "time to compute one wrench from its slip twist on one machine (compare ratios only)"},
+    {"chosen", of<&Candidate::chosen>, "true for the cheapest model whose error is at most the tolerance"},
+});
+
 class Choose final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {
         "choose", "Finds the cheapest limit curve that is good enough, and lists the others",
-        "Columns: model and parameter as in validate (table: its tolerance; exact: nan); error, the largest of the "
-        "radius on a ray in\n"
-        "the normalised plane: whether a contact holds; how it moves is a question for --scene. nanoseconds, the time "
-        "to compute one\n"
-        "wrench from its slip twist on one machine (compare ratios only); chosen, true for the cheapest model whose\n"
-        "error is at most the tolerance. --explain gives the reasons on standard error.\n"
-        "With --patch instead of --law the contact is not round (see 'limitcurve patch'). Candidates are the disc with "
-        "the least\n"
-        "largest error (parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 + m0^2 w^2) "
-        "(parameter: m0)\n"
-        "and the patch itself. error is the largest relative error of power over all sliding twists.\n"
-        "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or CURVE/PROJECTION, "
-        "with the\n"
-        "contact radius of the mean load, or with the load-dependent radius if the name ends in '/a(P)'. Without "
-        "--radius-law and\n"
-        "--mu-r a is 5 mm. error is the change of the rendered wrench as a fraction of the friction limits: twice the "
-        "largest change\n"
-        "in a thousand slides and twists (in turn and together, with reversals and turns, within the rates, distances "
-        "and loads of\n"
-        "the scene). nanoseconds is the time of a step of one finger that slips; a batch steps several contacts at "
-        "once. Standard error\n"
-        "says whether the scene needs torsion, coupling, a load-dependent radius, the exact curve and the closest "
-        "point, and gives\n"
-        "the replay options of the choice. Exit 1 if no step is within the tolerance. A note appears where k_r/k_l "
-        "differs more than\n"
-        "tenfold from (mu_r/mu_l)^2, the ratio that the radial projection assumes.",
+        ColumnList(candidate_columns).help() +
+            "--explain gives the reasons on standard error.\n"
+            "With --patch instead of --law the contact is not round (see 'limitcurve patch'). Candidates are the disc "
+            "with the least\n"
+            "largest error (parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 + m0^2 "
+            "w^2) (parameter: m0)\n"
+            "and the patch itself. error is the largest relative error of power over all sliding twists.\n"
+            "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or "
+            "CURVE/PROJECTION, with the\n"
+            "contact radius of the mean load, or with the load-dependent radius if the name ends in '/a(P)'. Without "
+            "--radius-law and\n"
+            "--mu-r a is 5 mm. error is the change of the rendered wrench as a fraction of the friction limits: twice "
+            "the largest\n"
+            "change in a thousand slides and twists (in turn and together, with reversals and turns, within the rates, "
+            "distances and\n"
+            "loads of the scene). nanoseconds is the time of a step of one finger that slips; a batch steps several "
+            "contacts at once.\n"
+            "Standard error says whether the scene needs torsion, coupling, a load-dependent radius, the exact curve "
+            "and the closest\n"
+            "point, and gives the replay options of the choice. Exit 1 if no step is within the tolerance. A note "
+            "appears where k_r/k_l\n"
+            "differs more than tenfold from (mu_r/mu_l)^2, the ratio that the radial projection assumes.",
         "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 "
         "--twist-stiffness 0.036"};
   }
@@ -111,9 +119,10 @@ class Choose final : public Subcommand {
   }
 
   void write(const Results& results, const std::vector<Candidate>& candidates) const {
-    Rows rows(results, {"model", "parameter", "error", "nanoseconds", "chosen"});
+    const ColumnList list(candidate_columns);
+    Rows rows(results, list.names());
     for (const Candidate& candidate : candidates) {
-      rows.row(candidate.model, candidate.parameter, candidate.error, candidate.nanoseconds, candidate.chosen);
+      list.write(rows, candidate);
       if (explain_) results.messages->say(candidate.model + ": " + candidate.reason);
     }
     rows.finish();

@@ -2,6 +2,7 @@
 #include "fit/model_fit.hpp"
 
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/column_list.hpp"
 #include "cli/io/descriptor.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/slip_samples.hpp"
@@ -11,6 +12,7 @@
 #include "limitcurve/internal/shell_word.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -20,6 +22,23 @@
 namespace limitcurve::cli {
 
 namespace {
+
+struct Fitted {
+  fit::Estimate estimate;
+  std::string note;
+};
+
+constexpr std::array estimate_columns = std::to_array<ListedColumn<Fitted>>({
+    {"parameter", of<&Fitted::estimate, &fit::Estimate::name>},
+    {"value", of<&Fitted::estimate, &fit::Estimate::value>},
+    {"std_error",
+     [](const Fitted& row) -> Cell {
+       return std::isnan(row.estimate.std_error) ? std::nullopt : std::optional(row.estimate.std_error);
+     },
+     "standard error; empty without data, because a curve has no noise"},
+    {"unit", of<&Fitted::estimate, &fit::Estimate::unit>},
+    {"note", of<&Fitted::note>, "model and assumptions"},
+});
 
 class Fit final : public Subcommand {
  public:
@@ -46,12 +65,11 @@ class Fit final : public Subcommand {
         "slope of power over H against the rotation share |w| m0/sqrt(v^2 + w^2 m0^2), divided by the mean: 0 if the "
         "patch explains\n"
         "the pushes. Direction errors bias mu low: 20 % cost 1 %. mu_ellipsoid and drift_ellipsoid use the ellipsoid\n"
-        "sqrt(v^2 + m0^2 w^2) instead of H.\n"
-        "Columns: parameter, value, std_error (empty without data: a curve has no noise), unit, note (model and "
-        "assumptions).\n"
-        "Warnings go to standard error; its last line has the replay options and FingerParameters fields to use, "
-        "unless the data\n"
-        "reject the model.",
+        "sqrt(v^2 + m0^2 w^2) instead of H.\n" +
+            ColumnList(estimate_columns).help() +
+            "Warnings go to standard error; its last line has the replay options and FingerParameters fields to use, "
+            "unless the data\n"
+            "reject the model.",
         "limitcurve fit ellipse --law hertz"};
   }
 
@@ -115,19 +133,16 @@ class Fit final : public Subcommand {
   /// With correlations also the covariances.
   static void write(const Results& results, const std::vector<fit::Estimate>& estimates, const std::string& note,
                     const std::vector<double>* correlation = nullptr) {
-    std::vector<std::string> columns{"parameter", "value", "std_error", "unit", "note"};
+    const ColumnList list(estimate_columns);
+    std::vector<std::string> names = list.names();
     if (correlation != nullptr) {
-      for (const fit::Estimate& estimate : estimates) columns.push_back("covariance_" + estimate.name);
+      for (const fit::Estimate& estimate : estimates) names.push_back("covariance_" + estimate.name);
     }
-    Rows rows(results, columns);
+    Rows rows(results, names);
     for (std::size_t i = 0; i < estimates.size(); ++i) {
       const fit::Estimate& estimate = estimates[i];
       rows.row_by([&](const auto& cell) {
-        cell(estimate.name);
-        cell(estimate.value);
-        cell(std::isnan(estimate.std_error) ? std::nullopt : std::optional(estimate.std_error));
-        cell(estimate.unit);
-        cell(note);
+        list.cells({estimate, note}, cell);
         for (std::size_t j = 0; correlation != nullptr && j < estimates.size(); ++j)
           cell((*correlation)[i * estimates.size() + j] * (estimate.std_error * estimates[j].std_error));
       });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/column_list.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/unit_checks.hpp"
@@ -30,6 +31,41 @@ struct Need {
   double moment = 0.0;
 };
 
+struct Held {
+  Need need;
+  double load;
+  double margin;
+  double error;
+};
+
+/// What the contact must bear, and the load that holds it.
+ColumnList<Held> hold_columns(bool is_round) {
+  static constexpr std::array round = std::to_array<ListedColumn<Held>>({
+      {"force", of<&Held::need, &Need::fx>},
+      {"moment", of<&Held::need, &Need::moment>, "[N, N m]; with --patch fx, fy, moment"},
+  });
+  static constexpr std::array patch = std::to_array<ListedColumn<Held>>({
+      {"fx", of<&Held::need, &Need::fx>},
+      {"fy", of<&Held::need, &Need::fy>},
+      {"moment", of<&Held::need, &Need::moment>},
+  });
+  static constexpr std::array load = std::to_array<ListedColumn<Held>>({
+      {"hold_load", of<&Held::load>, "[N], of a patch the total of its points, inf if no load holds"},
+  });
+  return (is_round ? ColumnList(round) : ColumnList(patch)).add(load);
+}
+
+constexpr std::array margin_column = std::to_array<ListedColumn<Held>>({
+    {"margin", of<&Held::margin>,
+     "if --data has a column load [N], at that load: 1 without friction, 0 on the limit and beyond, as in 'limitcurve "
+     "replay --details'"},
+});
+constexpr std::array error_column = std::to_array<ListedColumn<Held>>({
+    {"hold_error", of<&Held::error>,
+     "[N], if --law is measured: an estimate of how far hold_load is off because the pressure is known only at "
+     "samples"},
+});
+
 class Hold final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
@@ -45,14 +81,8 @@ class Hold final : public Subcommand {
         "--force is FX,FY,\n"
         "--data has fx,fy,moment, and the moment is about the patch's origin. With --mass gravity pulls along --down; "
         "the centre of\n"
-        "mass is --offset from the origin towards (-Y, X), by default positive x.\n"
-        "Columns: force,moment (with --patch fx,fy,moment) [N, N m]; hold_load [N], of a patch the total of its "
-        "points, inf if no load\n"
-        "holds. If --data has a column load [N], also the margin at that load: 1 without friction, 0 on the limit and "
-        "beyond, as in\n"
-        "'limitcurve replay --details'. If --law is measured, also hold_error [N]: an estimate of how far hold_load is "
-        "off because\n"
-        "the pressure is known only at samples.",
+        "mass is --offset from the origin towards (-Y, X), by default positive x.\n" +
+            hold_columns(true).add(margin_column).add(error_column).help(),
         "limitcurve hold --law hertz --radius-law hertz:R=0.008,E=2e5 --mu 0.8 --fingers 2 --mass 0.2 --offset 0.02"};
   }
 
@@ -162,10 +192,10 @@ class Hold final : public Subcommand {
     if (!data_.empty()) reader.emplace(data_, columns, std::vector<std::string>{"load"}, columns_);
     const std::size_t load_column = columns.size();
     const bool has_loads = reader && reader->has(load_column);
-    columns.emplace_back("hold_load");
-    if (has_loads) columns.emplace_back("margin");
-    if (error) columns.emplace_back("hold_error");
-    Rows rows(results, columns);
+    ColumnList list = hold_columns(is_round);
+    if (has_loads) list.add(margin_column);
+    if (error) list.add(error_column);
+    Rows rows(results, list.names());
     const auto row = [&](const Need& need, std::optional<double> load) {
       questions_.wrench(std::hypot(need.fx, need.fy), need.moment);
       if (load) {
@@ -175,14 +205,10 @@ class Hold final : public Subcommand {
       const double hold = least(need);
       questions_.load(hold);
       if (hold > 0.0 && std::isfinite(hold)) loads_ = {std::min(loads_[0], hold), std::max(loads_[1], hold)};
-      rows.row_by([&](const auto& cell) {
-        cell(need.fx);
-        if (!is_round) cell(need.fy);
-        cell(need.moment);
-        cell(hold);
-        if (load) cell(hold == 0.0 ? 1.0 : *load == 0.0 || mu_ == 0.0 ? 0.0 : std::max(0.0, 1.0 - gauge(need, *load)));
-        if (error) cell(error(need, hold));
-      });
+      const auto margin = [&] {
+        return hold == 0.0 ? 1.0 : *load == 0.0 || mu_ == 0.0 ? 0.0 : std::max(0.0, 1.0 - gauge(need, *load));
+      };
+      list.write(rows, {need, hold, load ? margin() : 0.0, error ? error(need, hold) : 0.0});
     };
     if (!reader) {
       row(single(), std::nullopt);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/half_spaces.hpp"
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/column_list.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/unit_checks.hpp"
@@ -19,6 +20,54 @@
 namespace limitcurve::cli {
 
 namespace {
+
+struct Slide {
+  PatchTwist twist;
+  PatchWrench wrench;
+  double power;
+  double error;
+};
+
+constexpr std::array slide_columns = std::to_array<ListedColumn<Slide>>({
+    {"vx", of<&Slide::twist, &PatchTwist::vx>},
+    {"vy", of<&Slide::twist, &PatchTwist::vy>},
+    {"omega", of<&Slide::twist, &PatchTwist::omega>, "the twist"},
+    {"fx", of<&Slide::wrench, &PatchWrench::fx>},
+    {"fy", of<&Slide::wrench, &PatchWrench::fy>},
+    {"moment", of<&Slide::wrench, &PatchWrench::moment>, "the wrench about the origin that keeps the patch sliding"},
+    {"power", of<&Slide::power>, "mu P H"},
+    {"error", of<&Slide::error>, "bound of the largest of the relative error of power, |dF|/(mu P) and |dM|/(mu P m0)"},
+});
+
+struct Slip {
+  PatchWrench wrench;
+  double load;
+  PatchTwist twist;
+  double error;
+};
+
+constexpr std::array slip_columns = std::to_array<ListedColumn<Slip>>({
+    {"fx", of<&Slip::wrench, &PatchWrench::fx>},
+    {"fy", of<&Slip::wrench, &PatchWrench::fy>},
+    {"moment", of<&Slip::wrench, &PatchWrench::moment>, "the wrench; of a round contact force, moment"},
+    {"hold_load", of<&Slip::load>, "the load that just holds it [N], inf if none does"},
+    {"vx", of<&Slip::twist, &PatchTwist::vx>},
+    {"vy", of<&Slip::twist, &PatchTwist::vy>},
+    {"omega", of<&Slip::twist, &PatchTwist::omega>,
+     "the slip at that load, of power 1 W against the wrench, nan for wrench 0 or without such a load; of a round "
+     "contact slide, spin"},
+    {"error", of<&Slip::error>, "bound of |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the slip needs"},
+});
+
+/// A round contact has a force and a slide for fx, fy and vx, vy.
+constexpr std::array round_slip_columns = std::to_array<ListedColumn<Slip>>({
+    {"force", of<&Slip::wrench, &PatchWrench::fx>},
+    slip_columns[2],
+    slip_columns[3],
+    {"slide", of<&Slip::twist, &PatchTwist::vx>},
+    {"spin", of<&Slip::twist, &PatchTwist::omega>},
+    slip_columns[7],
+});
 
 class PatchCommand final : public Subcommand {
  public:
@@ -41,26 +90,22 @@ class PatchCommand final : public Subcommand {
         "pressures may have any "
         "unit.\n"
         "Twists: a CSV with the columns vx,vy,omega [m/s, rad/s], the velocity of the patch over the ground at the "
-        "origin.\n"
-        "Columns: the twist; fx, fy, moment: the wrench about the origin that keeps the patch sliding; power = mu P H; "
-        "error, a\n"
-        "bound of the largest of the relative error of power, |dF|/(mu P) and |dM|/(mu P m0).\n"
-        "Wrenches: a CSV with the columns fx,fy,moment [N, N m] about the origin. Columns: the wrench; hold_load: the "
-        "load that\n"
-        "just holds it [N], inf if none does; vx, vy, omega: the slip at that load, of power 1 W against the wrench, "
-        "nan for wrench 0 or\n"
-        "without such a load; error: bound of |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the slip needs. "
-        "Where the limit\n"
-        "surface is flat the slip is about a point of the patch, exactly; error leaves out what it bears, up to its "
-        "load.\n"
-        "--half-spaces N: at most N rows of inequalities inside the limit surface, for a planner, and their vertices, "
-        "about the origin.\n"
-        "Columns: kind; a row has fx F_x + fy F_y + moment M <= mu N, units 1, 1, 1/m; a vertex is a wrench for mu N = "
-        "1, units 1, 1, m;\n"
-        "share: the polytope's radius over the limit surface's in the worst direction. N: 8, 14, 32, 62 or 128.\n"
-        "--law with --radius-law or --mu-r, instead of --patch: a round contact; wrenches are force,moment, slips "
-        "slide,spin [m/s, "
-        "rad/s].",
+        "origin.\n" +
+            ColumnList(slide_columns).help() +
+            "Wrenches: a CSV with the columns fx,fy,moment [N, N m] about the origin.\n" +
+            ColumnList(slip_columns).help() +
+            "Where the limit surface is flat the slip is about a point of the patch, exactly; error leaves out what it "
+            "bears, up to its load.\n"
+            "--half-spaces N: at most N rows of inequalities inside the limit surface, for a planner, and their "
+            "vertices, "
+            "about the origin.\n"
+            "Columns: kind; a row has fx F_x + fy F_y + moment M <= mu N, units 1, 1, 1/m; a vertex is a wrench for mu "
+            "N = "
+            "1, units 1, 1, m;\n"
+            "share: the polytope's radius over the limit surface's in the worst direction. N: 8, 14, 32, 62 or 128.\n"
+            "--law with --radius-law or --mu-r, instead of --patch: a round contact; wrenches are force,moment, slips "
+            "slide,spin [m/s, "
+            "rad/s].",
         "limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists data/patches/twists.csv --mu 0.5 --load 4"};
   }
 
@@ -93,21 +138,23 @@ class PatchCommand final : public Subcommand {
     UnitChecks questions;
     if (load_) questions.load(*load_);
     results.messages->say(questions.lines());
-    Rows rows(results, {"vx", "vy", "omega", "fx", "fy", "moment", "power", "error"});
+    const ColumnList list(slide_columns);
+    Rows rows(results, list.names());
     const double limit = mu_ * load_.value_or(1.0);
     CsvReader reader(twists_, {"vx", "vy", "omega"});
     while (reader.next()) {
       const PatchTwist twist{reader.number(0, finite), reader.number(1, finite), reader.number(2, finite)};
       const PatchFriction friction = patch.about_origin(twist);
-      rows.row(twist.vx, twist.vy, twist.omega, limit * friction.wrench.fx, limit * friction.wrench.fy,
-               limit * friction.wrench.moment, limit * friction.power, friction.error);
+      const auto [fx, fy, moment] = friction.wrench;
+      list.write(rows, {twist, {limit * fx, limit * fy, limit * moment}, limit * friction.power, friction.error});
     }
     rows.finish();
   }
 
  private:
   void slip(const Results& results, const Patch& patch) const {
-    Rows rows(results, {"fx", "fy", "moment", "hold_load", "vx", "vy", "omega", "error"});
+    const ColumnList list(slip_columns);
+    Rows rows(results, list.names());
     CsvReader reader(wrenches_, {"fx", "fy", "moment"});
     UnitChecks questions;
     while (reader.next()) {
@@ -115,7 +162,7 @@ class PatchCommand final : public Subcommand {
       const auto [twist, gauge, error] = patch.slip(wrench);
       questions.wrench(std::hypot(wrench.fx, wrench.fy), wrench.moment);
       questions.load(gauge / mu_);
-      rows.row(wrench.fx, wrench.fy, wrench.moment, gauge / mu_, twist.vx, twist.vy, twist.omega, error);
+      list.write(rows, {wrench, gauge / mu_, twist, error});
     }
     results.messages->say(questions.lines());
     rows.finish();
@@ -129,7 +176,8 @@ class PatchCommand final : public Subcommand {
     const ExactCurve curve(law_);
     const RadiusLaw radius_law = contact.radius(curve.moment_ratio());
     std::array<double, 2> loads{infinite, 0.0};  // smallest and largest
-    Rows rows(results, {"force", "moment", "hold_load", "slide", "spin", "error"});
+    const ColumnList list(round_slip_columns);
+    Rows rows(results, list.names());
     CsvReader reader(wrenches_, {"force", "moment"});
     UnitChecks questions;
     while (reader.next()) {
@@ -138,7 +186,7 @@ class PatchCommand final : public Subcommand {
       const double load = load_to_hold(curve, contact, force, moment);
       if (!(load > 0.0 && std::isfinite(load))) {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-        rows.row(force, moment, load, nan, nan, nan);
+        list.write(rows, {{force, 0.0, moment}, load, {nan, 0.0, nan}, nan});
         continue;
       }
       loads = {std::min(loads[0], load), std::max(loads[1], load)};
@@ -152,8 +200,11 @@ class PatchCommand final : public Subcommand {
       const double power = limit * (wrench.force * normal.slide + wrench.moment * normal.spin);
       const double miss = std::max(std::fabs(needed.force - wrench.force) + error.force,
                                    (std::fabs(needed.moment - wrench.moment) + error.moment) / curve.moment_ratio());
-      rows.row(force, moment, load, std::copysign(normal.slide / power, force),
-               std::copysign(normal.spin / power / radius, moment), miss);
+      list.write(
+          rows, {{force, 0.0, moment},
+                 load,
+                 {std::copysign(normal.slide / power, force), 0.0, std::copysign(normal.spin / power / radius, moment)},
+                 miss});
     }
     if (loads[1] > 0.0) questions.radii(radius_law, loads);
     results.messages->say(questions.lines());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/column_list.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/unit_checks.hpp"
 
@@ -25,39 +26,82 @@ std::optional<double> if_any(double number) {
   return std::isnan(number) ? std::nullopt : std::optional(number);
 }
 
+struct Translated {
+  engines::EngineContact contact;
+  engines::EngineCoefficient coefficient;
+  double mu;
+};
+
+using engines::EngineCoefficient;
+using engines::EngineContact;
+
+constexpr std::array coefficient_columns = std::to_array<ListedColumn<Translated>>({
+    {"engine", of<&Translated::contact, &EngineContact::engine>},
+    {"parameter", of<&Translated::coefficient, &EngineCoefficient::parameter>, "in the engine's spelling"},
+    {"value", of<&Translated::coefficient, &EngineCoefficient::value>},
+    {"unit", of<&Translated::coefficient, &EngineCoefficient::unit>},
+    {"model", of<&Translated::contact, &EngineContact::model>, "the shape (ellipse, diamond, box, point: no moment)"},
+    {"max_error", of<&Translated::contact, &EngineContact::error, &CurveError::max_error>,
+     "its largest radial error against the exact curve (0.07 is 7 %)"},
+    {"cor_error", of<&Translated::contact, &EngineContact::max_wrench_error>,
+     "the largest error of the wrench at the same centre of rotation, as a fraction of the limits"},
+    {"loads_error", of<&Translated::contact, &EngineContact::max_error_over_loads>,
+     "the largest radial error over the --loads, because the coefficients are constant"},
+    {"note", of<&Translated::coefficient, &EngineCoefficient::note>,
+     "what the engine multiplies the value by, and its name for the value"},
+    {"formula", of<&Translated::coefficient, &EngineCoefficient::formula>,
+     "of mu, mu_r = mu m0 a, m0, a, and f, the other body's friction, taken as 1"},
+    {"two_bodies", of<&Translated::coefficient, &EngineCoefficient::two_bodies>,
+     "how the engine combines the values of two bodies"},
+});
+constexpr std::array load_columns = std::to_array<ListedColumn<Translated>>({
+    {"low", of<&Translated::coefficient, &EngineCoefficient::low>},
+    {"high", of<&Translated::coefficient, &EngineCoefficient::high>,
+     "with --loads: the range of the value over these loads, for randomisation"},
+});
+constexpr std::array friction_columns = std::to_array<ListedColumn<Translated>>({
+    {"mu", of<&Translated::mu>, "with several values of --mu"},
+});
+
+struct Meant {
+  engines::CoefficientMeaning meaning;
+  double value;
+};
+
+constexpr std::array meaning_columns = std::to_array<ListedColumn<Meant>>({
+    {"engine", of<&Meant::meaning, &engines::CoefficientMeaning::engine>},
+    {"parameter", of<&Meant::meaning, &engines::CoefficientMeaning::parameter>},
+    {"value", of<&Meant::value>},
+    {"moment_per_load", [](const Meant& row) -> Cell { return if_any(row.meaning.moment_per_load); },
+     "[m], the largest moment over the load (none: the number sets no moment)"},
+    {"radius", [](const Meant& row) -> Cell { return if_any(row.meaning.radius); },
+     "[m], the contact radius that a contact of the law needs for it"},
+    {"note", of<&Meant::meaning, &engines::CoefficientMeaning::note>, "with the defaults that were taken"},
+});
+
 class Translate final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {
         "translate", "Coefficients for physics engines, with the error that remains; or what such a coefficient means",
         "The coefficients give the exact limits of force and moment at --load; between the limits each engine has its "
-        "own shape.\n"
-        "Columns: engine; parameter, in the engine's spelling; value; unit; model, the shape (ellipse, diamond, box, "
-        "point: no\n"
-        "moment); max_error, its largest radial error against the exact curve (0.07 is 7 %); cor_error,\n"
-        "the largest error of the wrench at the same centre of rotation, as a fraction of the limits; loads_error, the "
-        "largest\n"
-        "radial error over the --loads, because the coefficients are constant; note, what the engine multiplies the "
-        "value by, and\n"
-        "its name for the value; formula, of mu, mu_r = mu m0 a, m0, a, and f, the other body's friction, taken as 1; "
-        "two_bodies,\n"
-        "how the engine combines the values of two bodies. With --loads also low and high: the range of the value over "
-        "these loads,\n"
-        "for randomisation.\n"
-        "With several values of --mu: the coefficients for each, and a last column mu. mu_r follows mu; drawn apart, "
-        "they are of no pad.\n"
-        "--mu-r R, as it is measured, with --gamma G if it grows with the load: instead of --radius-law.\n"
-        "--patch P, instead of --law, --radius-law and --load: a contact that is not round (see 'limitcurve patch').\n"
-        "--read ENGINE.PARAMETER=VALUE, with --law and --mu alone: what a number in a scene means. PARAMETER is the "
-        "engine's name or a\n"
-        "short one: friction, torsional, patch_radius, ... VALUE may be all that an attribute has: 'mujoco.friction=1 "
-        "0.005 0.0001'.\n"
-        "Numbers of one engine belong to one contact, until a parameter comes again; its friction replaces --mu.\n"
-        "Columns: engine; parameter; value; moment_per_load [m], the largest moment over the load (none: the number "
-        "sets no moment);\n"
-        "radius [m], the contact radius that a contact of the law needs for it; note, with the defaults that were "
-        "taken.\n"
-        "--explain writes what else each engine needs, and its documentation, to standard error.",
+        "own shape.\n" +
+            ColumnList(coefficient_columns).add(load_columns).add(friction_columns).help() +
+            "With several values of --mu: the coefficients for each. mu_r follows mu; drawn apart, they are of no "
+            "pad.\n"
+            "--mu-r R, as it is measured, with --gamma G if it grows with the load: instead of --radius-law.\n"
+            "--patch P, instead of --law, --radius-law and --load: a contact that is not round (see 'limitcurve "
+            "patch').\n"
+            "--read ENGINE.PARAMETER=VALUE, with --law and --mu alone: what a number in a scene means. PARAMETER is "
+            "the "
+            "engine's name or a\n"
+            "short one: friction, torsional, patch_radius, ... VALUE may be all that an attribute has: "
+            "'mujoco.friction=1 "
+            "0.005 0.0001'.\n"
+            "Numbers of one engine belong to one contact, until a parameter comes again; its friction replaces "
+            "--mu.\n" +
+            ColumnList(meaning_columns).help() +
+            "--explain writes what else each engine needs, and its documentation, to standard error.",
         "limitcurve translate --law hertz --radius-law power:c=0.00207,gamma=0.259 --mu 0.8 --load 2"};
   }
 
@@ -153,34 +197,14 @@ class Translate final : public Subcommand {
   /// `translate` gives the contacts of a friction.
   void write(const Results& results,
              const std::function<std::vector<engines::EngineContact>(double)>& translate) const {
-    std::vector<std::string> columns{"engine",    "parameter",   "value", "unit",    "model",     "max_error",
-                                     "cor_error", "loads_error", "note",  "formula", "two_bodies"};
-    if (!loads_.empty()) columns.insert(columns.end(), {"low", "high"});
-    if (frictions_.size() > 1) columns.emplace_back("mu");
-    Rows rows(results, columns);
+    ColumnList list(coefficient_columns);
+    if (!loads_.empty()) list.add(load_columns);
+    if (frictions_.size() > 1) list.add(friction_columns);
+    Rows rows(results, list.names());
     for (const double mu : frictions_) {
       for (const engines::EngineContact& contact : translate(mu)) {
         if (!engine_.empty() && contact.engine != engine_) continue;
-        for (const engines::EngineCoefficient& coefficient : contact.coefficients) {
-          rows.row_by([&](const auto& cell) {
-            cell(contact.engine);
-            cell(coefficient.parameter);
-            cell(coefficient.value);
-            cell(coefficient.unit);
-            cell(contact.model);
-            cell(contact.error.max_error);
-            cell(contact.max_wrench_error);
-            cell(contact.max_error_over_loads);
-            cell(coefficient.note);
-            cell(coefficient.formula);
-            cell(coefficient.two_bodies);
-            if (!loads_.empty()) {
-              cell(coefficient.low);
-              cell(coefficient.high);
-            }
-            if (frictions_.size() > 1) cell(mu);
-          });
-        }
+        for (const EngineCoefficient& coefficient : contact.coefficients) list.write(rows, {contact, coefficient, mu});
         if (explain_ && mu == frictions_.front()) {
           results.messages->say("limitcurve: note: " + contact.engine + ", " + contact.model + ": " + contact.caveat +
                                 " (" + contact.documentation + ")");
@@ -221,12 +245,9 @@ class Translate final : public Subcommand {
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(std::string("--read: ") + error.what());
     }
-    Rows rows(results, {"engine", "parameter", "value", "moment_per_load", "radius", "note"});
-    for (std::size_t i = 0; i < meanings.size(); ++i) {
-      const engines::CoefficientMeaning& found = meanings[i];
-      rows.row(found.engine, found.parameter, numbers[i].value, if_any(found.moment_per_load), if_any(found.radius),
-               found.note);
-    }
+    const ColumnList list(meaning_columns);
+    Rows rows(results, list.names());
+    for (std::size_t i = 0; i < meanings.size(); ++i) list.write(rows, {meanings[i], numbers[i].value});
     rows.finish();
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/column_list.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/patch_argument.hpp"
@@ -15,6 +16,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -26,38 +28,57 @@ namespace limitcurve::cli {
 
 namespace {
 
+struct Judged {
+  std::string law;
+  std::string model;
+  double parameter;
+  CurveError error;
+  std::optional<double> cor_error;
+};
+
+constexpr std::array judged_columns = std::to_array<ListedColumn<Judged>>({
+    {"law", of<&Judged::law>, "the pressure law, or the patch"},
+    {"model", of<&Judged::model>, "see below; with --points the file"},
+    {"parameter", of<&Judged::parameter>, "of the model; with --points the number of points"},
+    {"max_error", of<&Judged::error, &CurveError::max_error>, "the largest error, of either sign"},
+    {"rms_error", of<&Judged::error, &CurveError::rms_error>,
+     "root mean square; with --patch over centres of rotation in 128 directions at 121 distances, evenly and "
+     "logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P)"},
+    {"max_over_estimate", of<&Judged::error, &CurveError::max_over_estimate>,
+     "the largest error where the model holds and the real finger slips"},
+    {"max_under_estimate", of<&Judged::error, &CurveError::max_under_estimate>,
+     "the largest error where the model slips and the real finger holds"},
+    {"max_cor_error", of<&Judged::cor_error>, "the largest |c_model/c_exact - 1|, inf if it is unbounded"},
+});
+
 class Validate final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {
         "validate", "Errors of ellipse, box, diamond and Padé model against the exact curve",
-        "Errors are relative radii in the paper's normalised plane (0.07 is 7 %). An over-estimate holds where the "
-        "real finger slips.\n"
-        "max_cor_error is the largest |c_model/c_exact - 1|, inf if it is unbounded.\n"
-        "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares and ellipse-inner (inside "
-        "the curve,\n"
-        "with the smallest maximum error): the force semi-axis in units of mu P; box (uncoupled limits): inf, and "
-        "diamond: 1, the\n"
-        "exponents n of x^n + y^n = 1; pade (Zhuravlev's model, by its own twist: it has no normal): c/a at half the "
-        "force;\n"
-        "not of uniform-wear, whose force rises infinitely steeply from a pure spin.\n"
-        "With --patch the contact is not round (see 'limitcurve patch') and law names the patch. Errors compare the "
-        "model's power\n"
-        "with the patch's, over all sliding twists; rms_error is over centres of rotation in 128 directions at 121\n"
-        "distances, evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models and "
-        "their parameter:\n"
-        "disc:LAW, the law and radius with the least largest error, and disc-equal-area:LAW: the radius [m]; "
-        "ellipsoid\n"
-        "sqrt((mx vx)^2 + (my vy)^2 + m0^2 w^2): m0 [m].\n"
-        "With --points: the errors of points of a limit curve that other code, or a measurement, gave. Columns "
-        "force,moment of the\n"
-        "unit curve (F/(mu P), M/(mu P a)), unless --mu, --load, --radius scale it, and c, the distance of the COR, "
-        "for\n"
-        "max_cor_error, where its wrench differs from the point's by more than 1e-6 of mu P and mu P a; with --patch "
-        "fx,fy,moment about\n"
-        "its origin. Signs of force, moment and c do not matter. model: the file; parameter: the number of points; an "
-        "error is\n"
-        "gauge - 1, the gauge being 1 on the limit.",
+        "Errors are relative radii in the paper's normalised plane (0.07 is 7 %).\n" +
+            ColumnList(judged_columns).help() +
+            "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares and ellipse-inner "
+            "(inside the curve,\n"
+            "with the smallest maximum error): the force semi-axis in units of mu P; box (uncoupled limits): inf, and "
+            "diamond: 1, the\n"
+            "exponents n of x^n + y^n = 1; pade (Zhuravlev's model, by its own twist: it has no normal): c/a at half "
+            "the force;\n"
+            "not of uniform-wear, whose force rises infinitely steeply from a pure spin.\n"
+            "With --patch the contact is not round (see 'limitcurve patch'). Errors compare the model's power with the "
+            "patch's,\n"
+            "over all sliding twists. Models and their parameter: disc:LAW, the law and radius with the least largest "
+            "error, and\n"
+            "disc-equal-area:LAW: the radius [m]; ellipsoid sqrt((mx vx)^2 + (my vy)^2 + m0^2 w^2): m0 [m].\n"
+            "With --points: the errors of points of a limit curve that other code, or a measurement, gave. The file "
+            "has "
+            "force,moment of\n"
+            "the unit curve (F/(mu P), M/(mu P a)), unless --mu, --load, --radius scale it, and c, the distance of the "
+            "COR, for\n"
+            "max_cor_error, where its wrench differs from the point's by more than 1e-6 of mu P and mu P a; with "
+            "--patch fx,fy,moment\n"
+            "about its origin. Signs of force, moment and c do not matter. An error is gauge - 1, the gauge being 1 on "
+            "the limit.",
         "limitcurve validate --law hertz --law uniform"};
   }
 
@@ -86,13 +107,14 @@ class Validate final : public Subcommand {
     if (laws_.empty()) {
       for (const std::string_view name : law_examples()) laws_.push_back(parse_law(name));
     }
-    Rows rows(results, columns());
+    const ColumnList list(judged_columns);
+    Rows rows(results, list.names());
     std::size_t done = 0;
     for (const Law& given : laws_) {
       const auto law = std::make_shared<const RememberingLaw>(given);
       results.messages->progress(static_cast<double>(done++) / static_cast<double>(laws_.size()));
       const auto row = [&](std::string_view model, double parameter, const CurveError& error) {
-        write(rows, law->name(), model, parameter, error);
+        list.write(rows, {law->name(), std::string(model), parameter, error, error.max_cor_error});
       };
       const ExactCurve exact(law);
       const auto ellipse = [&](std::string_view model, const Ellipse& curve) {
@@ -112,17 +134,6 @@ class Validate final : public Subcommand {
   }
 
  private:
-  static std::vector<std::string> columns() {
-    return {"law",          "model", "parameter", "max_error", "rms_error", "max_over_estimate", "max_under_estimate",
-            "max_cor_error"};
-  }
-
-  static void write(Rows& rows, const std::string& law, std::string_view model, double parameter,
-                    const CurveError& error) {
-    rows.row(law, model, parameter, error.max_error, error.rms_error, error.max_over_estimate, error.max_under_estimate,
-             error.max_cor_error);
-  }
-
   void validate_patches(const Results& results) const {
     std::vector<std::pair<std::string, std::vector<DiscModel>>> found;
     for (const std::string& text : patches_) {
@@ -131,9 +142,11 @@ class Validate final : public Subcommand {
       note_factor(*results.messages, patch);
       found.emplace_back(text, disc_models(patch));
     }
-    Rows rows(results, columns());
+    const ColumnList list(judged_columns);
+    Rows rows(results, list.names());
     for (const auto& [text, found_models] : found) {
-      for (const DiscModel& model : found_models) write(rows, text, model.name, model.parameter, model.error);
+      for (const auto& [name, parameter, error] : found_models)
+        list.write(rows, {text, name, parameter, error, error.max_cor_error});
     }
     rows.finish();
   }
@@ -167,7 +180,8 @@ class Validate final : public Subcommand {
       if (fx == 0.0 && fy == 0.0 && moment == 0.0)
         throw reader.complaint(0, "force and moment are 0, expected a point of the limit curve");
     }
-    Rows rows(results, columns());
+    const ColumnList list(judged_columns);
+    Rows rows(results, list.names());
     const double limit = mu_.value_or(1.0) * load_.value_or(1.0);
     const auto row = [&](const std::string& name, const std::function<double(const Point&, CurveError&)>& gauge) {
       CurveError error;
@@ -180,9 +194,8 @@ class Validate final : public Subcommand {
       }
       error.max_error = std::max(error.max_over_estimate, error.max_under_estimate);
       error.rms_error = std::sqrt(squares / static_cast<double>(points.size()));
-      rows.row(name, file_, static_cast<double>(points.size()), error.max_error, error.rms_error,
-               error.max_over_estimate, error.max_under_estimate,
-               has_cor ? std::optional(error.max_cor_error) : std::nullopt);
+      list.write(rows, {name, file_, static_cast<double>(points.size()), error,
+                        has_cor ? std::optional(error.max_cor_error) : std::nullopt});
     };
     for (const std::string& text : patches_) {
       const Patch patch = read_patch(text, *results.messages);

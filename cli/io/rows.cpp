@@ -38,6 +38,29 @@ std::string quoted_for_json(std::string_view text) {
 
 }  // namespace
 
+std::string help_of(const std::vector<std::pair<std::string_view, std::string_view>>& columns) {
+  constexpr std::size_t indent = 22;
+  constexpr std::size_t width = 118;
+  std::string text = "Columns:";
+  std::string line = "\n ";
+  for (const auto& [name, meaning] : columns) {
+    line.append(" ").append(name).append(meaning.empty() ? "," : "");
+    if (meaning.empty()) continue;
+    line.resize(std::max(line.size() + 1, indent), ' ');
+    for (std::size_t begin = 0; begin < meaning.size();) {
+      const std::size_t end = std::min(meaning.find(' ', begin), meaning.size());
+      if (line.size() + end - begin > width) {
+        text += line;
+        line = '\n' + std::string(indent, ' ');
+      }
+      line.append(" ").append(meaning.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    text += std::exchange(line, "\n ");
+  }
+  return text + '\n';
+}
+
 Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(results) {
   if (results_.columns != nullptr) {
     results_.columns->clear();

@@ -29,6 +29,10 @@ struct Column {
   std::vector<std::string> texts = {};
 };
 
+/// The help on columns: "Columns:" and a line for each name and its meaning, wrapped before column 120; "" without a
+/// meaning joins the name to the next.
+std::string help_of(const std::vector<std::pair<std::string_view, std::string_view>>& columns);
+
 /// Destination and format of a subcommand's results.
 struct Results {
   OutputFile& output;

@@ -81,8 +81,7 @@ def validate(
     """Errors of ellipse, box, diamond and Padé model against the exact curve of one, several or all laws; or of round
     models of patches; or of `points`.
 
-    Columns: law, model, parameter, max_error, rms_error, max_over_estimate, max_under_estimate, max_cor_error; errors
-    as fractions.
+    `limitcurve validate --help` explains the columns; errors are fractions.
 
     >>> import limitcurve as lc
     >>> table = lc.validate("hertz")
@@ -114,7 +113,7 @@ def choose(
     """The cheapest limit curve whose error is at most `tolerance`, and the others; with `scene` the whole step of a
     scene.
 
-    Columns: model, parameter, error, nanoseconds (compare ratios only), chosen.
+    `limitcurve choose --help` explains the columns.
 
     >>> import limitcurve as lc
     >>> table = lc.choose("hertz", tolerance=0.01)
@@ -196,12 +195,10 @@ def translate(
     """The coefficients for physics engines, with the error that remains in each; of one `engine` alone, if it is named.
 
     With `mu_r` and `gamma`, as measured, in place of radius_law. With `patch` in place of law, radius law and load: for
-    a contact that is not round. Columns: engine, parameter, value, unit, model,
-    max_error, cor_error, loads_error, note, formula, two_bodies; with `loads` also low and high, the range of the value
-    over these loads; with several values of mu also mu.
+    a contact that is not round. `limitcurve translate --help` explains the columns.
 
     `read`, with law and mu alone: what numbers in a scene mean. Numbers of one engine belong to one contact, until a
-    parameter comes again. Columns: engine, parameter, value, moment_per_load, radius [m], note.
+    parameter comes again.
 
     >>> import limitcurve as lc
     >>> table = lc.translate("hertz", "constant:a=0.006", mu=0.6, load=2)

@@ -12,8 +12,6 @@ import unittest
 from command_line import DATA, EXECUTABLE, header, rows, run
 from patch_case import PatchCase, by_points
 
-COLUMNS = "vx,vy,omega,fx,fy,moment,power,error"
-
 
 
 def value_of(formula, problem):
@@ -27,10 +25,6 @@ def value_of(formula, problem):
     return eval(text, {"asinh": math.asinh, "sqrt": math.sqrt, "π": math.pi, **given})
 
 class Patch(PatchCase):
-    def test_columns(self):
-        self.assertEqual(header("patch", "--patch", "rectangle:x=1,y=2", "--twists", self.twists((1.0, 0.0, 0.0))),
-                         COLUMNS)
-
     def test_tactile_logs_with_a_frame_a_row(self):
         frame = [[max(0, 50 - ((x - 16) ** 2 + 2 * (y - 6) ** 2)) for x in range(32)] for y in range(12)]
         text = lambda lines: "".join(",".join(map(str, line)) + "\n" for line in lines)

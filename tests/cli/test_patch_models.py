@@ -100,8 +100,6 @@ class FitFriction(PatchCase):
 
 
 class HowWrongIsRound(PatchCase):
-    COLUMNS = "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error"
-
     @staticmethod
     @functools.cache
     def validated(patch):
@@ -116,9 +114,8 @@ class HowWrongIsRound(PatchCase):
         return found
 
     def test_columns(self):
-        self.assertEqual(header("validate", "--patch", "rectangle:x=1,y=1"), self.COLUMNS)
-        self.assertEqual(header("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 0.1),
-                         "model,parameter,error,nanoseconds,chosen")
+        for call in (("validate", ), ("choose", "--tolerance", 0.1)):
+            self.assertEqual(header(*call, "--patch", "rectangle:x=1,y=1"), header(*call, "--law", "hertz"))
 
     def test_a_friction_factor_of_all_directions_is_one_of_mu(self):
         disc = "ellipse:law=hertz,a=0.004,b=0.004"

@@ -5,17 +5,12 @@ import csv
 import math
 import unittest
 
-from command_line import DATA, CommandLineTest, header, rows, run
+from command_line import DATA, CommandLineTest, rows, run
 
 CASES = ["coupled", "uncoupled", "exact"]
 
 
 class Pivot(CommandLineTest):
-    def test_columns(self):
-        self.assertEqual(
-            header("pivot", "--case", "coupled", "--duration", "0"),
-            "time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho")
-
     def test_grip_from_a_file_is_the_release(self):
         grip = self.file("grip.csv", "# eased\ntime,load\n0,1.5\n1,0.5\n")
         call = ["pivot", "--case", "exact", "--duration", "1"]

@@ -7,16 +7,11 @@ import re
 import unittest
 from pathlib import Path
 
-from command_line import CommandLineTest, header, rows, run
+from command_line import CommandLineTest, rows, run
 from patch_case import by_points
-
-COLUMNS = "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error"
 
 
 class Validate(CommandLineTest):
-    def test_columns(self):
-        self.assertEqual(header("validate", "--law", "hertz"), COLUMNS)
-
     def test_without_a_law_all_that_are_listed(self):
         laws = [row["law"] for row in rows("laws")]
         found = rows("validate")
@@ -128,10 +123,6 @@ class Points(CommandLineTest):
 
 
 class Choose(CommandLineTest):
-    def test_columns(self):
-        self.assertEqual(header("choose", "--law", "hertz", "--tolerance", "0.01"),
-                         "model,parameter,error,nanoseconds,chosen")
-
     def test_explains_itself_on_standard_error(self):
         done = run("choose", "--law", "hertz", "--tolerance", "0.01", "--explain")
         self.assertEqual(done.stdout.splitlines()[0], "model,parameter,error,nanoseconds,chosen")
