@@ -8,11 +8,11 @@
 #include "limitcurve/laws.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <random>
 #include <stdexcept>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -49,15 +49,13 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
     throw std::invalid_argument(std::to_string(rows) + " samples are too few to choose a law, expected at least " +
                                 std::to_string(least) + ", or a law (--law)");
   LawSelection selection;
-  const std::array<ContactModel, 8> models{ContactModel::of(flat_punch()),
-                                           ContactModel::of(uniform()),
-                                           ContactModel::of(hertz()),
-                                           ContactModel::of(parabolic()),
-                                           ContactModel::of(cone()),
-                                           ContactModel::of(gaussian(1.0)),
-                                           ContactModel{ContactModel::Kind::power},
-                                           ContactModel{ContactModel::Kind::xydas_kao}};
-  std::array<std::size_t, models.size()> order{};
+  // The families, a Gaussian whose radius is sigma, and every law of one shape.
+  std::vector<ContactModel> models{
+      {ContactModel::Kind::power}, {ContactModel::Kind::xydas_kao}, ContactModel::of(gaussian(1.0))};
+  for (const std::string_view law : law_examples()) {
+    if (law.find(':') == std::string_view::npos) models.push_back(ContactModel::of(parse_law(law)));
+  }
+  std::vector<std::size_t> order(models.size());
   std::vector<ContactFit> fits;
   try {
     for (const ContactModel& model : models) fits.push_back(internal::fit_prepared(preparation, model, options));

@@ -3,19 +3,18 @@
 
 import json
 import math
+import re
 import unittest
+from pathlib import Path
 
-from command_line import CommandLineTest, header, numbers, rows, run
-
-LAWS = ["hertz", "uniform", "parabolic", "flat-punch", "cone", "power:n=2.3", "xydas-kao:k=3", "gaussian:sigma=0.4"]
+from command_line import CommandLineTest, numbers, rows, run
 
 
 class Laws(CommandLineTest):
     def test_lists_every_kind_with_its_ratio(self):
         listed = {row["law"]: row for row in rows("laws")}
-        self.assertEqual(header("laws"), "law,moment_ratio,method,error")
-        for law in LAWS:
-            self.assertIn(law, listed)
+        contract = (Path(__file__).resolve().parents[2] / "cli" / "README.md").read_text(encoding="utf-8")
+        self.assertEqual(list(listed), re.search(r"^\| law \| `([^`]*)`", contract, re.M)[1].split())
         self.assertEqual(listed["hertz"]["moment_ratio"], 3 * math.pi / 16)
         self.assertEqual(listed["uniform"]["moment_ratio"], 2 / 3)
         self.assert_close(listed["xydas-kao:k=3"]["moment_ratio"], 0.620245007350, 1e-11)
@@ -28,9 +27,6 @@ class Laws(CommandLineTest):
 
 
 class Eval(CommandLineTest):
-    def test_columns(self):
-        self.assertEqual(header("eval", "--law", "hertz", "--c", "1"), "c,force,moment,force_error,moment_error")
-
     def test_numbers_read_back_exactly(self):
         places = [0.1, 1 / 3, 2**-1074, 1.7976931348623157e308, 1 + 2**-52]
         for row, place in zip(rows("eval", "--law", "hertz", "--c", numbers(places)), places):
@@ -62,12 +58,6 @@ class MeasuredProfiles(CommandLineTest):
 
 
 class Curves(CommandLineTest):
-    def test_columns(self):
-        load_dependent = ["--law", "hertz", "--radius-law", "power:c=0.002,gamma=0.25", "--mu", "0.8", "--loads", "1,2"]
-        self.assertEqual(header("curve", "--law", "hertz"), "c,force,moment,x,y")
-        self.assertEqual(header("p-curves", *load_dependent), "load,c,force,moment")
-        self.assertEqual(header("c-curves", *load_dependent, "--cors", "0,1"), "c,load,force,moment")
-
     def test_a_measured_radius_law(self):
         radii = self.file("radii.csv", "load,radius\n1,0.002\n4,0.003\n")
         found = rows("c-curves", "--law", "hertz", "--radius-law", f"samples:{radii}", "--mu", "0.5", "--cors", "0",
