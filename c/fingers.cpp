@@ -40,6 +40,11 @@ static_assert(members.size() == finger_parameter_table.size());
 
 }  // namespace
 
+static_assert(static_cast<int>(Projection::closest_point) == LIMITCURVE_CLOSEST_POINT);
+bool is_projection(limitcurve_projection projection) noexcept {
+  return projection >= 0 && static_cast<std::size_t>(projection) < projection_names.size();
+}
+
 FingerParameters parameters_of(const limitcurve_finger_parameters& given) {
   if (given.radius_law == nullptr && std::isnan(given.mu_r))
     throw std::invalid_argument("radius_law: got NULL, expected it, or mu_r");
@@ -59,15 +64,9 @@ FingerParameters parameters_of(const limitcurve_finger_parameters& given, const 
 }
 
 Projection projection_of(limitcurve_projection projection) {
-  switch (projection) {
-    case LIMITCURVE_RADIAL:
-      return Projection::radial;
-    case LIMITCURVE_C_CURVE:
-      return Projection::c_curve;
-    case LIMITCURVE_CLOSEST_POINT:
-      return Projection::closest_point;
-  }
-  throw std::invalid_argument("projection: got " + std::to_string(projection) + ", expected 0, 1 or 2");
+  if (is_projection(projection)) return static_cast<Projection>(projection);
+  throw std::invalid_argument("projection: got " + std::to_string(projection) + ", expected 0 to " +
+                              std::to_string(projection_names.size() - 1));
 }
 
 }  // namespace limitcurve::c
@@ -155,8 +154,7 @@ limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limit
   if (is_no_handle("table", table) || is_missing("limits", limits) || is_missing("memory", memory) ||
       is_missing("friction", friction))
     return LIMITCURVE_INVALID;
-  if (projection < LIMITCURVE_RADIAL || projection > LIMITCURVE_CLOSEST_POINT)
-    return refuse("projection", "expected 0, 1 or 2");
+  if (!is_projection(projection)) return refuse("projection", "expected one of limitcurve_projection");
   if (table->curve.is_box() && projection != LIMITCURVE_CLOSEST_POINT)
     return refuse("projection", "a box goes with closest-point only");
   if (const char* const fault = fault_of(*limits, force, moment, *memory)) return refuse("friction", fault);

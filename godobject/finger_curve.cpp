@@ -84,21 +84,17 @@ std::span<const std::string_view> curve_kind_names() noexcept {
   static constexpr std::array<std::string_view, 4> names{"exact", "table", "ellipse", "box"};
   return names;
 }
-std::span<const std::string_view> projection_names() noexcept {
-  static constexpr std::array<std::string_view, 3> names{"radial", "c-curve", "closest-point"};
-  return names;
-}
 std::string_view to_string(CurveKind kind) noexcept {
   return curve_kind_names()[static_cast<std::size_t>(kind)];
 }
 std::string_view to_string(Projection projection) noexcept {
-  return projection_names()[static_cast<std::size_t>(projection)];
+  return projection_names[static_cast<std::size_t>(projection)];
 }
 CurveKind parse_curve_kind(std::string_view text) {
   return parse_name<CurveKind>(curve_kind_names(), "curve", text);
 }
 Projection parse_projection(std::string_view text) {
-  return parse_name<Projection>(projection_names(), "projection", text);
+  return parse_name<Projection>(projection_names, "projection", text);
 }
 
 Table finest_table(const Law& law, double tolerance) {

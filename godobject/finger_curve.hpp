@@ -88,9 +88,8 @@ enum class CurveKind {
   box       ///< uncoupled limits; for the closest point only
 };
 
-/// "exact", "table", "ellipse", "box"; and "radial", "c-curve", "closest-point": in the order of the enumerations.
+/// "exact", "table", "ellipse", "box": in the order of CurveKind.
 std::span<const std::string_view> curve_kind_names() noexcept;
-std::span<const std::string_view> projection_names() noexcept;
 std::string_view to_string(CurveKind kind) noexcept;
 std::string_view to_string(Projection projection) noexcept;
 

@@ -7,6 +7,7 @@
 #include "../limitcurve/curve_view.hpp"
 
 #include <array>
+#include <string_view>
 
 namespace limitcurve::godobject {
 
@@ -17,6 +18,9 @@ enum class Projection {
             ///< on P
   closest_point  ///< maximum dissipation: the slip is normal to the limit curve; on the box the paper's §3.1
 };
+
+/// In the order of Projection, in every language.
+inline constexpr std::array<std::string_view, 3> projection_names{"radial", "c-curve", "closest-point"};
 
 /// A contact slips if its trial exceeds the limit curve by this factor. A smaller excess may be rounding of the proxy
 /// that the last step put on the curve.

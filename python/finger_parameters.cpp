@@ -7,6 +7,7 @@
 #include "cli/io/unit_checks.hpp"
 #include "godobject/finger/finger_parameter_table.hpp"
 #include "godobject/scene/passivity.hpp"
+#include "limitcurve/internal/names.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <nanobind/stl/tuple.h>
@@ -115,7 +116,7 @@ std::string parameters_signature(bool of_patch) {
 Projection projection_of(nb::handle word) {
   if (word.is_none()) return Projection::closest_point;
   if (!nb::isinstance<nb::str>(word))
-    throw std::invalid_argument("projection: got " + shown(word) + ", expected closest-point, radial or c-curve");
+    throw std::invalid_argument("projection: got " + shown(word) + ", expected " + joined(projection_names));
   return parse_projection(nb::cast<std::string>(word));
 }
 

@@ -113,7 +113,7 @@ class Pivot final : public Subcommand {
                   "Friction model; optional if one of the next three options is given");
     options.named("--curve", settings_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind,
                   "Limit curve, instead of the case's");
-    options.named("--projection", settings_.projection, godobject::projection_names(), godobject::parse_projection,
+    options.named("--projection", settings_.projection, godobject::projection_names, godobject::parse_projection,
                   "Projection onto the limit curve, instead of the case's");
     options.radius_law(radius_law_);
     options.text("--material", material_, "rayon|suede|sandpaper", "Coefficients from Table 1 (data/materials.csv)");

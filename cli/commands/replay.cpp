@@ -132,7 +132,7 @@ class Replay final : public Subcommand {
     options.named("--curve", replay_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind,
                   "Limit curve (default table)");
     options.named(
-        "--projection", replay_.projection, godobject::projection_names(), godobject::parse_projection,
+        "--projection", replay_.projection, godobject::projection_names, godobject::parse_projection,
         "Projection onto the limit curve (default closest-point). radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2");
     options.number("--tolerance", replay_.tolerance, positive, "Error of the table, in unit wrenches");
     options.value(

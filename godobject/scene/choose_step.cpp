@@ -17,6 +17,9 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace limitcurve::godobject {
@@ -151,6 +154,12 @@ std::vector<std::string> verdict_of(const Effects& effects, const std::vector<Ca
   return lines;
 }
 
+double step_cost(std::string_view curve, Projection projection) {
+  const auto& step = shipped_costs::of(curve).step;
+  static_assert(std::tuple_size_v<std::decay_t<decltype(step)>> == projection_names.size());
+  return step.at(static_cast<std::size_t>(projection));
+}
+
 }  // namespace
 
 StepChoice choose_step(const Scene& scene, double tolerance) {
@@ -223,7 +232,8 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
       case CurveKind::ellipse:
         candidate.error = error_of(ellipse, 0.0, projection, finger);
         break;
-      default:
+      case CurveKind::table:
+      case CurveKind::exact:
         candidate.parameter = sufficient_table(projection, finger, candidate.error).tolerance();
     }
     steps[model] = {
@@ -231,12 +241,12 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
     candidates.push_back(candidate);
   };
   // A clamp of the force alone is cheaper than the other candidates.
-  add("no torsion", CurveKind::ellipse, Projection::radial, slippery, 0.5 * shipped_costs::of("ellipse").radial);
+  add("no torsion", CurveKind::ellipse, Projection::radial, slippery, 0.5 * step_cost("ellipse", Projection::radial));
   candidates.back().parameter = std::numeric_limits<double>::quiet_NaN();
   for (const CurveKind kind : {CurveKind::box, CurveKind::ellipse, CurveKind::table}) {
-    for (const Projection projection : {Projection::radial, Projection::closest_point}) {
-      const shipped_costs::Cost& costs = shipped_costs::of(to_string(kind));
-      const double cost = projection == Projection::radial ? costs.radial : costs.closest_point;
+    for (std::size_t i = 0; i < projection_names.size(); ++i) {
+      const auto projection = static_cast<Projection>(i);
+      const double cost = step_cost(to_string(kind), projection);
       if (std::isnan(cost)) continue;
       const std::string model = std::string(to_string(kind)) + "/" + std::string(to_string(projection));
       add(model, kind, projection, mean_finger, cost);

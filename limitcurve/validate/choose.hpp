@@ -29,7 +29,7 @@ inline constexpr double cost_tie = 0.05;
 /// the profile_error() of a measured pressure. godobject/scene/choose_step.hpp chooses for a whole scene, projection
 /// included.
 ///
-/// Costs are constants (internal/shipped_costs.hpp), measured on one machine, so the choice is the same on every
+/// Costs are constants (shipped_costs.hpp), measured on one machine, so the choice is the same on every
 /// machine: compare them, do not rely on them. Takes a millisecond for a closed form, a second by quadrature. Throws
 /// std::invalid_argument for a tolerance outside [1e-10, 1] or a law that `checked` rejects.
 std::vector<Candidate> choose(const Law& law, double tolerance);

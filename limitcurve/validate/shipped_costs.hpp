@@ -15,22 +15,21 @@ inline constexpr std::string_view measured =
 
 inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A wrench by its slip twist, and a step of the god-object that slips, by each projection; `none` where no finger
-/// takes it.
+/// A wrench by its slip twist, and a step of the god-object that slips, in the order of godobject::Projection; `none`
+/// where no finger takes it, or `choose` does not ask.
 struct Cost {
   std::string_view model;
   double wrench;
-  double radial;
-  double closest_point;
+  std::array<double, 3> step;
 };
 
 inline constexpr std::array<Cost, 6> models{{
-    {"diamond", 4.0, none, none},
-    {"box", 4.2, none, 46.5},
-    {"ellipse", 5.0, 59.0, 100.1},
-    {"table", 5.7, 108.0, 107.6},
-    {"exact", 42.3, none, none},
-    {"exact by quadrature", 20710.0, none, none},
+    {"diamond", 4.0, {none, none, none}},
+    {"box", 4.2, {none, none, 46.5}},
+    {"ellipse", 5.0, {59.0, none, 100.1}},
+    {"table", 5.7, {108.0, none, 107.6}},
+    {"exact", 42.3, {none, none, none}},
+    {"exact by quadrature", 20710.0, {none, none, none}},
 }};
 
 /// The costs of a model of the table.
