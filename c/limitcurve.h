@@ -178,8 +178,7 @@ LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_tabl
 typedef struct limitcurve_finger_parameters {
   double mu;              /* coefficient of static friction >= 0 */
   double mu_dynamic;      /* while slipping, in [0, mu]; NaN: mu */
-  const char* radius_law; /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; may be NULL
-                             if mu_r is given */
+  const char* radius_law; /* a(P), in the command's grammar: "constant:a=0.005"; may be NULL if mu_r is given */
   double mu_r; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), instead of the radius law's; NaN: none */
   double gamma;            /* gamma, in [-0.5, 1] */
   double mu_r_dynamic;     /* while slipping; NaN: mu_r mu_d/mu */

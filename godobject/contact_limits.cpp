@@ -71,7 +71,7 @@ std::optional<BadParameter> first_bad(const FingerParameters& parameters, std::o
   if (!parameters.mu_r) {
     require(parameters.gamma == 0.0, "gamma", parameters.gamma, "1", "0 without mu_r");
     if (of_slip) require(false, "mu_r_dynamic", *of_slip, "m", "absent without mu_r");
-    const double radius = parameters.radius_law.coefficient();
+    const double radius = parameters.radius_law.radius(1.0);
     require(spring.contains(radius), "radius_law coefficient", radius, "m/N^gamma", spring.text);
     return bad;
   }
@@ -93,16 +93,16 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, std::optional<d
   if (parameters.mu_r) {
     const double mu_r = *parameters.mu_r;
     const RadiusLaw radius_law = RadiusLaw::of_mu_r(mu_r, parameters.gamma, mu, *moment_max);
-    sticking_ = {mu, radius_law.coefficient()};
+    sticking_ = {mu, radius_law.radius(1.0)};
     // By default both coefficients fall by the same factor, so that the radius stays.
     sliding_ = {sliding, sticking_.radius};
     if (parameters.mu_r_dynamic) {
-      sliding_.radius = RadiusLaw::of_mu_r(*parameters.mu_r_dynamic, 0.0, sliding, *moment_max).coefficient();
+      sliding_.radius = RadiusLaw::of_mu_r(*parameters.mu_r_dynamic, 0.0, sliding, *moment_max).radius(1.0);
     }
     has_torsion_ = mu_r > 0.0;
     if (parameters.gamma != 0.0) radius_law_ = radius_law;
   } else {
-    const double radius = parameters.radius_law.coefficient();
+    const double radius = parameters.radius_law.radius(1.0);
     sticking_ = {mu, radius};
     sliding_ = {sliding, radius};
     if (parameters.radius_law.depends_on_load()) radius_law_ = parameters.radius_law;

@@ -135,10 +135,9 @@ void Options::law(Law& value, Presence presence) {
 void Options::radius_law(std::optional<RadiusLawArgument>& value) {
   this->value(
       "--radius-law", "RADIUS-LAW", [&value](const std::string& text) { value = read_radius_law(text); },
-      "Contact radius a(P) [m]: constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259, samples:FILE.csv "
-      "(columns "
-      "load,radius), or "
-      "moments:FILE.csv (load,moment: the largest moment at a load [N m])",
+      "Contact radius a(P) [m]: " + joined(RadiusLaw::examples(), ", ") +
+          ", samples:FILE.csv (columns load,radius), or moments:FILE.csv (load,moment: the largest moment at a load [N "
+          "m])",
       Presence::optional);
 }
 

@@ -30,8 +30,7 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
   if (mu == 0.0 || std::isinf(sum)) return std::numeric_limits<double>::infinity();
   const double scaled_force = force / mu;
   const double scaled_moment = moment / mu;
-  if (!radius_law.is_sampled() && radius_law.exponent() == 0.0)
-    return curve.gauge({scaled_force, scaled_moment / radius_law.coefficient()});
+  if (!radius_law.depends_on_load()) return curve.gauge({scaled_force, scaled_moment / radius_law.radius(1.0)});
   const double force_alone = scaled_force / curve.wrench({1.0, 0.0}).force;
   const double moment_alone = radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment);
   double low = (std::max)(force_alone, moment_alone);
@@ -39,7 +38,7 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
   if (force == 0.0 || moment == 0.0 || std::isinf(high)) return high;
   // Where the radius falls with the load the sum of the two loads need not hold. A load that carries twice the force
   // alone and twice the moment alone does.
-  if (radius_law.is_sampled() || radius_law.exponent() < 0.0)
+  if (radius_law.may_fall())
     high = (std::max)(
         high, radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);
   double load = low;

@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace limitcurve {
 
@@ -18,6 +21,18 @@ double checked(std::string_view name, double value, std::string_view unit) {
     throw out_of_range(name, value, unit, "> 0 and finite");
   return value;
 }
+
+/// A kind of radius law: an example of its text, with the one or two keys of its numbers, and how it is made of these.
+struct Kind {
+  std::string_view example;
+  RadiusLaw (*make)(double first, double second);
+};
+
+constexpr std::array kinds = std::to_array<Kind>({
+    {"constant:a=0.005", [](double radius, double) { return RadiusLaw::constant(radius); }},
+    {"hertz:R=0.008,E=2e5", RadiusLaw::hertz},
+    {"power:c=0.00207,gamma=0.259", RadiusLaw::power},
+});
 
 }  // namespace
 
@@ -96,10 +111,6 @@ double RadiusLaw::sampled_radius(double load) const noexcept {
   return stretch.exponent == 0.0 ? stretch.coefficient : stretch.coefficient * std::pow(load, stretch.exponent);
 }
 
-double RadiusLaw::coefficient(double load) const noexcept {
-  return is_sampled() ? stretch_at(load).coefficient : coefficient_;
-}
-
 double RadiusLaw::exponent(double load) const noexcept {
   return is_sampled() ? stretch_at(load).exponent : exponent_;
 }
@@ -123,29 +134,39 @@ double RadiusLaw::load_of_product(double product) const noexcept {
   return load_in(*(after - 1));
 }
 
+std::span<const std::string_view> RadiusLaw::examples() {
+  static constexpr auto examples = [] {
+    std::array<std::string_view, kinds.size()> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = kinds[i].example;
+    return all;
+  }();
+  return examples;
+}
+
 RadiusLaw RadiusLaw::parse(std::string_view text) {
-  const auto [kind, rest] = split_description(text);
-  const std::string_view items = rest.value_or("");
+  const auto [name, rest] = split_description(text);
   try {
-    double first = 0.0;
-    double second = 0.0;
-    if (kind == "constant") {
-      read_key_values(items, {number_key("a", first)});
-      return constant(first);
+    std::string expected;
+    std::vector<std::string_view> names{"samples", "moments"};
+    for (const Kind& kind : kinds) {
+      expected.append(kind.example).append(", ");
+      names.push_back(split_description(kind.example).kind);
+      if (names.back() != name) continue;
+      std::array<double, 2> values{};
+      std::vector<KeyValue> keys;
+      for (std::string_view items = *split_description(kind.example).rest; !items.empty();) {
+        keys.push_back(number_key(items.substr(0, items.find('=')), values.at(keys.size())));
+        const std::size_t comma = items.find(',');
+        items.remove_prefix(comma == std::string_view::npos ? items.size() : comma + 1);
+      }
+      read_key_values(rest.value_or(""), keys);
+      return kind.make(values[0], values[1]);
     }
-    if (kind == "hertz") {
-      read_key_values(items, {number_key("R", first), number_key("E", second)});
-      return hertz(first, second);
-    }
-    if (kind == "power") {
-      read_key_values(items, {number_key("c", first), number_key("gamma", second)});
-      return power(first, second);
-    }
+    expected.resize(expected.size() - 2);
     throw std::invalid_argument(
-        "expected constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259; on the command line also "
-        "samples:FILE.csv "
-        "(load,radius), moments:FILE.csv (load,moment)" +
-        did_you_mean(kind, {"constant", "hertz", "power", "samples", "moments"}, text.substr(kind.size())));
+        "expected " + expected +
+        "; on the command line also samples:FILE.csv (load,radius), moments:FILE.csv (load,moment)" +
+        did_you_mean(name, names, text.substr(name.size())));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("radius law '" + std::string(text) + "': " + error.what());
   }

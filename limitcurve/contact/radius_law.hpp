@@ -41,8 +41,9 @@ class RadiusLaw {
   /// friction μ_r must be 0; for μ_r = 0 the radius is so small that the moment is negligible: limits are continuous in
   /// the parameters.
   static RadiusLaw of_mu_r(double mu_r, double gamma, double mu, double moment_ratio);
-  /// `constant:a=0.005`, `hertz:R=0.008,E=2e5`, `power:c=0.00207,gamma=0.259`.
+  /// A text of the kind of one of the `examples`, such as `constant:a=0.005`.
   static RadiusLaw parse(std::string_view text);
+  static std::span<const std::string_view> examples();
 
   // Moves are cheap copies; a moved-from law stays valid.
   RadiusLaw(const RadiusLaw&) = default;
@@ -60,12 +61,14 @@ class RadiusLaw {
   }
   /// The load P [N] for which P·a(P) = `product` [N·m] ≥ 0.
   [[nodiscard]] double load_of_product(double product) const noexcept;
-  /// c [m/N^γ] and γ at a load; for a sampled law those between the two samples around the load.
-  [[nodiscard]] double coefficient(double load = 1.0) const noexcept;
+  /// d ln a/d ln P at a load: all that a search by the load needs. For a power law γ, for a sampled law that between
+  /// the two samples around the load.
   [[nodiscard]] double exponent(double load = 1.0) const noexcept;
   [[nodiscard]] bool is_sampled() const noexcept { return stretches_ != nullptr; }
   /// Whether a is a function of the load, as a property of the law: two equal radii do not make it constant.
   [[nodiscard]] bool depends_on_load() const noexcept { return is_sampled() || exponent_ != 0.0; }
+  /// Whether the radius may fall while the load grows.
+  [[nodiscard]] bool may_fall() const noexcept { return is_sampled() || exponent_ < 0.0; }
   /// The smallest and the largest load [N] of the samples, beyond which a sampled law extrapolates; 0 and infinity for
   /// any other law.
   [[nodiscard]] std::pair<double, double> sampled_loads() const noexcept { return sampled_loads_; }

@@ -11,10 +11,10 @@
 
 namespace limitcurve {
 
-/// The names joined by "|", as in help and messages.
-inline std::string joined(std::span<const std::string_view> names) {
+/// The names joined by "|", as in help and messages, or by another separator.
+inline std::string joined(std::span<const std::string_view> names, std::string_view separator = "|") {
   std::string text;
-  for (const std::string_view name : names) text.append(text.empty() ? "" : "|").append(name);
+  for (const std::string_view name : names) text.append(text.empty() ? "" : separator).append(name);
   return text;
 }
 

@@ -61,7 +61,7 @@ bool give_mu_dynamic(FingerParameters& finger, Projection) {
 /// a = cP^γ: both c and γ, which may be 0, a little more.
 bool move_radius(FingerParameters& finger, Projection) {
   finger.radius_law =
-      RadiusLaw::power(finger.radius_law.coefficient() * (1.0 + little), finger.radius_law.exponent() + little);
+      RadiusLaw::power(finger.radius_law.radius(1.0) * (1.0 + little), finger.radius_law.exponent() + little);
   return !finger.mu_r.has_value();
 }
 
