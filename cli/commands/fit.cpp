@@ -29,14 +29,14 @@ struct Fitted {
 };
 
 constexpr std::array estimate_columns = std::to_array<ListedColumn<Fitted>>({
-    {"parameter", of<&Fitted::estimate, &fit::Estimate::name>},
-    {"value", of<&Fitted::estimate, &fit::Estimate::value>},
+    {"parameter", of<&Fitted::estimate, &fit::Estimate::name>, "its name"},
+    {"value", of<&Fitted::estimate, &fit::Estimate::value>, "the estimate"},
     {"std_error",
      [](const Fitted& row) -> Cell {
        return std::isnan(row.estimate.std_error) ? std::nullopt : std::optional(row.estimate.std_error);
      },
      "standard error; empty without data, because a curve has no noise"},
-    {"unit", of<&Fitted::estimate, &fit::Estimate::unit>},
+    {"unit", of<&Fitted::estimate, &fit::Estimate::unit>, "of both"},
     {"note", of<&Fitted::note>, "model and assumptions"},
 });
 

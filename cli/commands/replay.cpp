@@ -2,6 +2,7 @@
 #include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/body_argument.hpp"
+#include "cli/io/column_list.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/surface_argument.hpp"
 #include "cli/io/trace_reader.hpp"
@@ -32,55 +33,50 @@ using godobject::Projection;
 
 using godobject::SceneContact;
 
-/// A column of a finger: its name, and its text where --help has one.
-struct FingerColumn {
-  std::string_view name;
-  double (*of)(const SceneContact&);
-  std::string_view text = {};
-};
+template <auto vector, int axis>
+Cell along(const SceneContact& contact) {
+  return (contact.*vector)(axis);
+}
 
-constexpr std::array plane_columns = std::to_array<FingerColumn>({
-    {"px", [](const SceneContact& contact) { return contact.proxy.x(); }},
-    {"py", [](const SceneContact& contact) { return contact.proxy.y(); }},
-    {"angle", [](const SceneContact& contact) { return contact.angle; }},
-    {"depth", [](const SceneContact& contact) { return contact.depth; }},
-    {"load", [](const SceneContact& contact) { return contact.load; }},
-    {"fx", [](const SceneContact& contact) { return contact.force.x(); }},
-    {"fy", [](const SceneContact& contact) { return contact.force.y(); }},
-    {"moment", [](const SceneContact& contact) { return contact.moment; }},
-    {"cor", [](const SceneContact& contact) { return contact.cor; }},
+constexpr std::array plane_columns = std::to_array<ListedColumn<SceneContact>>({
+    {"px", along<&SceneContact::proxy, 0>},
+    {"py", along<&SceneContact::proxy, 1>},
+    {"angle", of<&SceneContact::angle>},
+    {"depth", of<&SceneContact::depth>},
+    {"load", of<&SceneContact::load>},
+    {"fx", along<&SceneContact::force, 0>},
+    {"fy", along<&SceneContact::force, 1>},
+    {"moment", of<&SceneContact::moment>},
+    {"cor", of<&SceneContact::cor>},
 });
-constexpr std::array space_columns = std::to_array<FingerColumn>({
-    {"pz", [](const SceneContact& contact) { return contact.proxy.z(); }},
-    {"fz", [](const SceneContact& contact) { return contact.force.z(); }},
-    {"nx", [](const SceneContact& contact) { return contact.normal.x(); }},
-    {"ny", [](const SceneContact& contact) { return contact.normal.y(); }},
-    {"nz", [](const SceneContact& contact) { return contact.normal.z(); }},
+constexpr std::array space_columns = std::to_array<ListedColumn<SceneContact>>({
+    {"pz", along<&SceneContact::proxy, 2>},
+    {"fz", along<&SceneContact::force, 2>},
+    {"nx", along<&SceneContact::normal, 0>},
+    {"ny", along<&SceneContact::normal, 1>},
+    {"nz", along<&SceneContact::normal, 2>},
 });
-constexpr std::array detail_columns = std::to_array<FingerColumn>({
-    {"margin", [](const SceneContact& contact) { return contact.margin; },
-     "margin to slip [1]: 1 without friction, 0 slips"},
-    {"hold_load", [](const SceneContact& contact) { return contact.load_to_hold; },
-     "least load that would hold the friction [N]"},
-    {"corx", [](const SceneContact& contact) { return contact.centre_of_rotation.x(); },
-     "the slip's centre of rotation [m]"},
-    {"cory", [](const SceneContact& contact) { return contact.centre_of_rotation.y(); }},
-    {"corz", [](const SceneContact& contact) { return contact.centre_of_rotation.z(); }},
-    {"dissipated", [](const SceneContact& contact) { return contact.dissipated; }, "by slip so far [J]"},
+constexpr std::array detail_columns = std::to_array<ListedColumn<SceneContact>>({
+    {"margin", of<&SceneContact::margin>, "margin to slip [1]: 1 without friction, 0 slips"},
+    {"hold_load", of<&SceneContact::load_to_hold>, "least load that would hold the friction [N]"},
+    {"corx", along<&SceneContact::centre_of_rotation, 0>, "the slip's centre of rotation [m]"},
+    {"cory", along<&SceneContact::centre_of_rotation, 1>},
+    {"corz", along<&SceneContact::centre_of_rotation, 2>},
+    {"dissipated", of<&SceneContact::dissipated>, "by slip so far [J]"},
 });
 
-/// The groups of columns of one finger.
-std::vector<std::span<const FingerColumn>> columns_of_finger(bool in_space, bool details) {
-  std::vector<std::span<const FingerColumn>> groups{plane_columns};
-  if (in_space) groups.emplace_back(space_columns);
-  if (details) groups.emplace_back(detail_columns);
-  return groups;
+/// The columns of one finger.
+ColumnList<SceneContact> columns_of_finger(bool in_space, bool details) {
+  ColumnList list(plane_columns);
+  if (in_space) list.add(space_columns);
+  if (details) list.add(detail_columns);
+  return list;
 }
 
 /// What --details adds, as in --help.
 std::string details_text() {
   std::string text;
-  for (const FingerColumn& column : detail_columns) {
+  for (const ListedColumn<SceneContact>& column : detail_columns) {
     text.append(text.empty() ? "" : column.text.empty() ? "," : "; ").append(column.name);
     if (!column.text.empty()) text.append(" (").append(column.text).append(")");
   }
@@ -266,7 +262,7 @@ class Replay final : public Subcommand {
     }
   }
 
-  void run_replay(const Results& results, const std::vector<std::span<const FingerColumn>>& columns) const {
+  void run_replay(const Results& results, const ColumnList<SceneContact>& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed, columns_);
     note_missing_twists(*results.messages, trace);
     results.messages->say(surface_.notes);
@@ -284,8 +280,7 @@ class Replay final : public Subcommand {
     for (std::size_t i = 0; i < fingers_; ++i) {
       const std::string suffix = i == 0 ? "" : std::to_string(i + 1);
       names.push_back("state" + suffix);
-      for (const auto group : columns)
-        for (const FingerColumn& column : group) names.push_back(std::string(column.name) + suffix);
+      for (const std::string& name : columns.names()) names.push_back(name + suffix);
     }
     if (is_free) names.insert(names.end(), {"bx", "by", "bz", "bqw", "bqx", "bqy", "bqz"});
     Rows rows(results, names);
@@ -310,8 +305,7 @@ class Replay final : public Subcommand {
         cell(trace.time());
         for (const SceneContact& contact : replay.contacts()) {
           cell(godobject::to_string(contact.state));
-          for (const auto group : columns)
-            for (const FingerColumn& column : group) cell(column.of(contact));
+          columns.cells(contact, cell);
           if (contact.fault != godobject::Fault::none && refused[contact.fault].count++ == 0)
             refused[contact.fault].since = trace.time();
           if (contact.load > 0.0) loads = {std::min(loads[0], contact.load), std::max(loads[1], contact.load)};

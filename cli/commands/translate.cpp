@@ -36,10 +36,10 @@ using engines::EngineCoefficient;
 using engines::EngineContact;
 
 constexpr std::array coefficient_columns = std::to_array<ListedColumn<Translated>>({
-    {"engine", of<&Translated::contact, &EngineContact::engine>},
+    {"engine", of<&Translated::contact, &EngineContact::engine>, "its name"},
     {"parameter", of<&Translated::coefficient, &EngineCoefficient::parameter>, "in the engine's spelling"},
-    {"value", of<&Translated::coefficient, &EngineCoefficient::value>},
-    {"unit", of<&Translated::coefficient, &EngineCoefficient::unit>},
+    {"value", of<&Translated::coefficient, &EngineCoefficient::value>, "the number to set"},
+    {"unit", of<&Translated::coefficient, &EngineCoefficient::unit>, "of the value"},
     {"model", of<&Translated::contact, &EngineContact::model>, "the shape (ellipse, diamond, box, point: no moment)"},
     {"max_error", of<&Translated::contact, &EngineContact::error, &CurveError::max_error>,
      "its largest radial error against the exact curve (0.07 is 7 %)"},
@@ -71,7 +71,7 @@ struct Meant {
 constexpr std::array meaning_columns = std::to_array<ListedColumn<Meant>>({
     {"engine", of<&Meant::meaning, &engines::CoefficientMeaning::engine>},
     {"parameter", of<&Meant::meaning, &engines::CoefficientMeaning::parameter>},
-    {"value", of<&Meant::value>},
+    {"value", of<&Meant::value>, "the number in the scene"},
     {"moment_per_load", [](const Meant& row) -> Cell { return if_any(row.meaning.moment_per_load); },
      "[m], the largest moment over the load (none: the number sets no moment)"},
     {"radius", [](const Meant& row) -> Cell { return if_any(row.meaning.radius); },

@@ -130,9 +130,7 @@ struct Placed {
   double angle;  ///< polar, in the normalised plane
 };
 std::vector<Placed> place(std::span<const Sample> samples, const ContactFit& fit, double gamma) {
-  for (const Estimate& estimate : fit.report.estimates) {
-    if (estimate.name == "gamma") gamma = estimate.value;
-  }
+  if (const Estimate* const fitted = fit.report.find(Estimate::Role::gamma)) gamma = fitted->value;
   const double mu = fit.report.estimates[0].value;
   const double mu_r = fit.report.estimates[1].value;
   // Of residuals in the typical error.
