@@ -239,8 +239,8 @@ class Fit(CommandLineTest):
             (["ratio", "--data", data, "--gamma",
               "0.257"], "hertz; gamma = 0.257 assumed; squared loss; errors proportional to the load assumed"),
             (["law", "--data", data, "--fit-gamma", "--loss", "huber"],
-             f"uniform (best of {laws} laws by AIC; the errors include the choice, but for n and k); gamma fitted; huber "
-             "loss; errors proportional to the load assumed"
+             f"uniform (best of {laws} laws by AIC; the errors include the choice, but for n and k); gamma fitted; "
+             "huber loss; errors proportional to the load assumed"
              )
         ]:
             self.assertEqual({row["note"] for row in rows("fit", *call, "--quiet")}, {noted})
