@@ -47,7 +47,7 @@ struct Results {
 /// quote or a line break is quoted as in RFC 4180.
 /// JSON: an array of objects, one a line, keyed by the column names; values without a JSON number are the strings
 /// "inf", "-inf", "nan". Table: for a person; numbers have 4 digits, or 6 in a column whose numbers are typed into
-/// something. A long text of several words stands once, below the rows; its cells have a number in brackets.
+/// something. A long text of several words is printed once, below the rows; its cells have a number in brackets.
 class Rows {
  public:
   Rows(Results results, std::initializer_list<std::string_view> columns)
