@@ -4,7 +4,7 @@
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/internal/names.hpp"
 #include "limitcurve/pressure_law.hpp"
-#include "limitcurve/table/builder.hpp"
+#include "limitcurve/table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -95,10 +95,6 @@ CurveKind parse_curve_kind(std::string_view text) {
 }
 Projection parse_projection(std::string_view text) {
   return parse_name<Projection>(projection_names, "projection", text);
-}
-
-Table finest_table(const Law& law, double tolerance) {
-  return table::finest(law, tolerance);
 }
 
 FingerCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance) {

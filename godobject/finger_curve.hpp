@@ -102,8 +102,4 @@ Projection parse_projection(std::string_view text);
 /// table. `exact` takes milliseconds if the law has a closed form, seconds by quadrature.
 FingerCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance);
 
-/// The table of a law at a tolerance. If the law does not allow it, tries 10, 100, … times the tolerance. Throws like
-/// Table::build if no tolerance is possible.
-BasicTable<double> finest_table(const Law& law, double tolerance);
-
 }  // namespace limitcurve::godobject

@@ -46,7 +46,7 @@ class SoftFinger {
   /// without a derivative. So points get a radius ε: |u| becomes √(|u|² + ε²ω²), which changes the limit by less than
   /// ε/m₀ of it. `point_radius` is ε [m], at least 1e-3 m₀; 0 selects that minimum. A step within the hull of pure
   /// slides and pure spins never evaluates the patch; a slip takes 5 to 20 evaluations (cost: see Patch). Throws as
-  /// above, and for a moment coefficient, because the patch sets the moments.
+  /// above, and for a moment coefficient, because the patch sets the moments. Defined in godobject/patch/.
   SoftFinger(const Patch& patch, const FingerParameters& parameters, double point_radius = 0.0);
 
   // Moves are cheap copies; a moved-from finger stays valid.

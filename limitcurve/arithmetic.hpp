@@ -86,21 +86,6 @@ template <std::integral Index>
   return i & ~(i >> (8 * sizeof(Index) - 1));
 }
 
-/// A cell of a table (TablePieces) at an index.
-template <class Real>
-struct LoadedCell {
-  const Real* numbers;
-  bool beyond_rim;
-
-  [[nodiscard]] Real origin() const noexcept { return numbers[0]; }
-  [[nodiscard]] Real leading(int i) const noexcept { return numbers[2 * i + 2 + beyond_rim]; }
-  [[nodiscard]] Real trailing(int i) const noexcept { return numbers[2 * i + 3 - beyond_rim]; }
-};
-template <std::floating_point Real, std::integral Index>
-[[nodiscard]] constexpr LoadedCell<Real> load_cell(const Real* array, Index at, bool beyond_rim) noexcept {
-  return {array + at, beyond_rim};
-}
-
 /// Two numbers that one instruction serves, where the compiler has such types. Loaded from memory of their alignment.
 #ifdef __GNUC__
 template <class Real>

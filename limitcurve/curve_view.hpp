@@ -38,6 +38,21 @@ struct Jet {
   }
 };
 
+/// A cell of a table (TablePieces) at an index.
+template <class Real>
+struct LoadedCell {
+  const Real* numbers;
+  bool beyond_rim;
+
+  [[nodiscard]] Real origin() const noexcept { return numbers[0]; }
+  [[nodiscard]] Real leading(int i) const noexcept { return numbers[2 * i + 2 + beyond_rim]; }
+  [[nodiscard]] Real trailing(int i) const noexcept { return numbers[2 * i + 3 - beyond_rim]; }
+};
+template <std::floating_point Real, std::integral Index>
+[[nodiscard]] constexpr LoadedCell<Real> load_cell(const Real* array, Index at, bool beyond_rim) noexcept {
+  return {array + at, beyond_rim};
+}
+
 /// The cells of a table as a control loop reads them: the support function D(x) of both sides (Jet), a polynomial in
 /// each cell. Plain pointers to data that the table owns; copies are cheap.
 ///

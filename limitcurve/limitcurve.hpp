@@ -47,7 +47,8 @@ Law parse_law(std::string_view text);
 // Table::build(law, 1e-8)  for control loops: checked_error() ≤ tolerance·max(1, m₀), tolerance 1e-14 to 1e-1;
 //                          milliseconds, by quadrature up to seconds
 // table.wrench(SlipTwist), table.gauge(UnitWrench), table.along(UnitWrench)    nanoseconds, no allocation
-// to_csv(table), to_json(table), to_header(table), read_table_csv(text, name)  table files: table_file.hpp
+// to_csv(table), to_json(table), read_table_csv(text, name)                    table files: table_file.hpp
+// to_header(table)                                                             C or C++ code: export/header.hpp
 
 // 2. Validate.
 

@@ -23,9 +23,10 @@ namespace limitcurve {
 
 #ifdef LIMITCURVE_PACKS
 namespace kernel {
+// Defined in limitcurve/kernel/.
 std::size_t gauges(const CurveView<double>& curve, const UnitWrench* wrenches, double* gauges,
                    std::size_t count) noexcept;
-}
+}  // namespace kernel
 #endif
 
 namespace {
@@ -144,15 +145,6 @@ BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance, Table
   checked(law);
   const table::Attempts<Real> attempts(law, std::move(options));
   return built<Real>(attempts.name(), tolerance, [&] { return attempts.table(tolerance); });
-}
-
-Table table::finest(const Law& law, double tolerance) {
-  checked(law);
-  const table::Attempts<double> attempts(law, {});
-  for (double wanted = tolerance; wanted < Table::coarsest_tolerance; wanted *= 10.0) {
-    if (const auto table = attempts.table(wanted)) return *table;
-  }
-  return Table::build(law, Table::coarsest_tolerance);
 }
 
 template <class Real>
@@ -276,5 +268,14 @@ void BasicTable<Real>::gauge(std::span<const UnitWrench> wrenches, std::span<dou
 
 template class BasicTable<double>;
 template class BasicTable<float>;
+
+Table finest_table(const Law& law, double tolerance) {
+  checked(law);
+  const table::Attempts<double> attempts(law, {});
+  for (double wanted = tolerance; wanted < Table::coarsest_tolerance; wanted *= 10.0) {
+    if (const auto table = attempts.table(wanted)) return *table;
+  }
+  return Table::build(law, Table::coarsest_tolerance);
+}
 
 }  // namespace limitcurve

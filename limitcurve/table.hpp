@@ -202,6 +202,10 @@ using Table = BasicTable<double>;
 /// A table in single precision, for FloatBatch.
 using FloatTable = BasicTable<float>;
 
+/// The table of a law at a tolerance; if the law does not allow it, at 10, 100, … times that. Throws like Table::build
+/// if there is none.
+[[nodiscard]] Table finest_table(const Law& law, double tolerance);
+
 extern template class BasicTable<double>;
 extern template class BasicTable<float>;
 

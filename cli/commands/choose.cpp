@@ -5,7 +5,6 @@
 #include "cli/io/column_list.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/unit_checks.hpp"
-#include "limitcurve/internal/number_list.hpp"
 
 #include "godobject/scene/choose_step.hpp"
 #include "limitcurve/internal/number.hpp"

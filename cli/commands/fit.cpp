@@ -2,6 +2,7 @@
 #include "fit/model_fit.hpp"
 
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/argument_parts.hpp"
 #include "cli/io/column_list.hpp"
 #include "cli/io/descriptor.hpp"
 #include "cli/io/patch_argument.hpp"
@@ -9,7 +10,6 @@
 #include "cli/io/unit_checks.hpp"
 
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/shell_word.hpp"
 
 #include <algorithm>
 #include <array>

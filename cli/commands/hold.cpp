@@ -5,7 +5,6 @@
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/unit_checks.hpp"
 
-#include "godobject/finger_curve.hpp"
 #include "limitcurve/contact/hold_error.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/exact_curve.hpp"
@@ -166,7 +165,7 @@ class Hold final : public Subcommand {
     write(
         results,
         [&](const Need& need) {
-          if (may_be_slow && ++rows == rows_of_a_table) table = godobject::finest_table(law_, 1e-11);
+          if (may_be_slow && ++rows == rows_of_a_table) table = finest_table(law_, 1e-11);
           return table ? load_to_hold(*table, contact, need.fx, need.moment)
                        : load_to_hold(curve, contact, need.fx, need.moment);
         },

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/options.hpp"
 
-#include "limitcurve/internal/number_list.hpp"
-
+#include "cli/io/argument_parts.hpp"
 #include "godobject/finger/finger_parameter_table.hpp"
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"

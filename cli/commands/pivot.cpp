@@ -2,13 +2,11 @@
 #include "godobject/scene/pivot.hpp"
 
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/argument_parts.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/materials.hpp"
 #include "cli/io/unit_checks.hpp"
-#include "limitcurve/internal/key_values.hpp"
-#include "limitcurve/internal/number_list.hpp"
-
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 

@@ -5,8 +5,8 @@
 #include "cli/io/output_file.hpp"
 #include "cli/io/table_writer.hpp"
 
+#include "limitcurve/export/header.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/table_file.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,6 @@
 #include "cli/io/output_file.hpp"
 #include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/number_list.hpp"
 
 #include <algorithm>
 #include <cctype>

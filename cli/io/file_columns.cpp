@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/file_columns.hpp"
 
+#include "cli/io/argument_parts.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/range.hpp"
-#include "limitcurve/internal/shell_word.hpp"
 
 #include <algorithm>
 #include <array>

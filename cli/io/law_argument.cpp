@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/law_argument.hpp"
 
+#include "cli/io/argument_parts.hpp"
 #include "cli/io/csv_reader.hpp"
-#include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/measured/own_radii.hpp"
 #include "limitcurve/pressure_law.hpp"

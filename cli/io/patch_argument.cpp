@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/patch_argument.hpp"
 
+#include "cli/io/argument_parts.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/descriptor.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/unit_checks.hpp"
-#include "limitcurve/internal/key_values.hpp"
-#include "limitcurve/internal/number_list.hpp"
-
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/patch/disc_models.hpp"

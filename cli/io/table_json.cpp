@@ -95,7 +95,6 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
   const auto number = [&](const char* name) {
     return member(whole, name, &json::is_number, source, "a number").get<double>();
   };
-  if (whole.contains(old_error_key)) fail(source, old_key_message(text_of("law"), number("tolerance")));
   const TableContents contents{.law = text_of("law"),
                                .tolerance = number("tolerance"),
                                .checked_error = number("checked_error"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/table_writer.hpp"
 
+#include "limitcurve/export/header.hpp"
 #include "limitcurve/table_file.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/export/header.hpp"
+
 #include "limitcurve/export/single_precision.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/table_file.hpp"

@@ -1,51 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/key_values.hpp"
 
-#include "limitcurve/internal/number_list.hpp"
-
 #include "limitcurve/internal/did_you_mean.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <stdexcept>
 
 namespace limitcurve {
 
-KeyValue number_key(std::string_view key, double& value, const std::optional<Range>& range, bool required) {
-  return {key, [&value, range](std::string_view text) { value = read_number(text, range); }, required};
+double read_number(std::string_view text, const std::optional<Range>& range) {
+  const auto value = parse_number(text);
+  if (value && (!range || range->contains(*value))) return *value;
+  throw std::invalid_argument("got '" + std::string(text) + "', expected " +
+                              (range ? std::string(range->text) : "a number"));
 }
 
-KeyValue angle_key(std::string_view key, double& value, const Range& range, bool required) {
-  const auto take = [&value, range](std::string_view text) {
-    const std::string_view unit = text.size() > 3 ? text.substr(text.size() - 3) : std::string_view{};
-    const bool has_unit = unit == "deg" || unit == "rad";
-    const double number = read_number(has_unit ? text.substr(0, text.size() - 3) : text, range);
-    const double angle = unit == "deg" ? number * std::numbers::pi / 180.0 : number;
-    // The conversion to radians may overflow or leave the range.
-    if (!range.contains(angle))
-      throw std::invalid_argument("got '" + std::string(text) + "', expected " + std::string(range.text));
-    value = angle;
-  };
-  return {key, take, required};
+KeyValue number_key(std::string_view key, double& value, const std::optional<Range>& range, bool required) {
+  return {key, [&value, range](std::string_view text) { value = read_number(text, range); }, required};
 }
 
 Description split_description(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return {text, std::nullopt};
   return {text.substr(0, colon), text.substr(colon + 1)};
-}
-
-std::string split_file(std::string_view kind, std::string_view rest, std::string_view& items) {
-  // From the end, because the name may contain commas.
-  std::size_t end = rest.size();
-  for (;;) {
-    const std::size_t comma = rest.substr(0, end).rfind(',');
-    if (comma == std::string_view::npos || rest.substr(comma, end - comma).find('=') == std::string_view::npos) break;
-    end = comma;
-  }
-  items = end == rest.size() ? std::string_view{} : rest.substr(end + 1);
-  if (end == 0) throw std::invalid_argument("no file name, expected " + std::string(kind) + ":FILE");
-  return std::string(rest.substr(0, end));
 }
 
 void read_key_values(std::string_view text, const std::vector<KeyValue>& keys) {

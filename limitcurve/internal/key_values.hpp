@@ -11,6 +11,9 @@
 
 namespace limitcurve {
 
+/// Reads a number within `range`, or any number; otherwise throws std::invalid_argument "got '…', expected …".
+double read_number(std::string_view text, const std::optional<Range>& range);
+
 /// A key of a list such as `from=2,to=0,over=1.5`, and the function that reads its value.
 struct KeyValue {
   std::string_view key;
@@ -22,8 +25,6 @@ struct KeyValue {
 /// A key whose value is a number within `range`; any number without it.
 KeyValue number_key(std::string_view key, double& value, const std::optional<Range>& range = std::nullopt,
                     bool required = true);
-/// A key whose value is an angle: `30deg`, `0.5rad`, or a bare number of radians.
-KeyValue angle_key(std::string_view key, double& value, const Range& range, bool required = true);
 
 /// A description `KIND[:FILE][,key=value…]` of a law, a patch, a surface, a body: its kind, and what follows the first
 /// colon.
@@ -32,10 +33,6 @@ struct Description {
   std::optional<std::string_view> rest;
 };
 Description split_description(std::string_view text);
-
-/// Splits `FILE[,key=value…]` of a kind; the file's name may contain commas. Throws std::invalid_argument if it is
-/// empty.
-std::string split_file(std::string_view kind, std::string_view rest, std::string_view& items);
 
 /// Reads a list; keys may be in any order. An empty text is an empty list. Throws std::invalid_argument with the wrong
 /// item and the expected ones.

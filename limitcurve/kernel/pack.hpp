@@ -214,7 +214,7 @@ void set_states_where(Mask<Real, Isa> where, State* states, Mask<Real, Isa> firs
   store_states(lanes, states);
 }
 
-/// A cell of a table for each lane, under the names of that of a single number (limitcurve/arithmetic.hpp).
+/// A cell of a table for each lane, under the names of that of a single number (limitcurve/curve_view.hpp).
 template <class Real, class Isa>
 struct LoadedCell {
   Index<Real, Isa> at;

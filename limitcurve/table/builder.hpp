@@ -46,10 +46,6 @@ struct Source {
 template <class Real>
 [[nodiscard]] std::optional<BasicTable<Real>> build(const Source& source, double tolerance, std::size_t bytes);
 
-/// The table of a law at a tolerance; if there is none, at 10, 100, … times that. Each is tried once. Throws like
-/// Table::build.
-[[nodiscard]] Table finest(const Law& law, double tolerance);
-
 extern template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);
 extern template std::optional<BasicTable<float>> build(const Source&, double, std::size_t);
 

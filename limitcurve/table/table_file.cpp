@@ -2,7 +2,6 @@
 #include "limitcurve/table_file.hpp"
 
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/shell_word.hpp"
 #include "limitcurve/table/table_text.hpp"
 #include "limitcurve/version.hpp"
 
@@ -143,12 +142,6 @@ std::vector<TableCell> cells_of(const std::vector<Row>& rows, std::string_view s
 }
 
 }  // namespace
-
-std::string old_key_message(std::string_view law, double tolerance) {
-  return "'" + std::string(old_error_key) +
-         "' is now 'checked_error': make the table anew with limitcurve table --law " + shell_word(law) +
-         " --tolerance " + format_number(tolerance) + " -o FILE";
-}
 
 std::string checksum(const Table& table) {
   return checksum(contents_of(table));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/export/header.hpp"
 #include "limitcurve/table_file.hpp"
 #include "tests/fuzz/fuzz.hpp"
 

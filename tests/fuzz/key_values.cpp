@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/internal/key_values.hpp"
+#include "cli/io/argument_parts.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/number_list.hpp"
 #include "limitcurve/internal/range.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 using namespace limitcurve;
+using namespace limitcurve::cli;
 
 namespace {
 

@@ -2,9 +2,11 @@
 // Tables of laws of all kinds, with parameters from their whole range and tolerances that are not powers of ten: none
 // is off by more than it certifies, nor by more than its tolerance.
 #include "limitcurve/laws.hpp"
-#include "limitcurve/measured/samples.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 #include "limitcurve/table.hpp"
+#if __has_include("limitcurve/measured/samples.hpp")
+#include "limitcurve/measured/samples.hpp"
+#endif
 #include "tests/repetitions.hpp"
 #include "tests/superellipse.hpp"
 
@@ -59,6 +61,7 @@ class Draw {
  private:
   /// Samples, some with a jump.
   Law profile() {
+#if __has_include("limitcurve/measured/samples.hpp")
     std::vector<PressureSample> taken;
     const int count = static_cast<int>(uniform(3.0, 18.0));
     double pressure = 1.0;
@@ -68,6 +71,9 @@ class Draw {
       if (i > 0 && i < count && uniform(0.0, 1.0) < 0.15) taken.push_back({rho, pressure *= uniform(0.2, 2.0)});
     }
     return samples(taken, "profile.csv");
+#else
+    return law(true);
+#endif
   }
 
   std::mt19937_64 generator_;

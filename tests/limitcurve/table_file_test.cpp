@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table_file.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/internal/shell_word.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/measured/samples.hpp"
 #include "probes.hpp"
 #include "tests/complaint.hpp"
 
@@ -164,21 +162,6 @@ TEST(TableFile, EveryFactIsHeldByTheChecksum) {
   }
 }
 
-TEST(TableFile, TheErrorOfAProfileIsHeldByTheChecksumToo) {
-  const std::array<PressureSample, 5> profile{{{0, 1}, {0.3, 0.9}, {0.6, 0.7}, {0.8, 0.5}, {1, 0}}};
-  const Table table = Table::build(samples(profile, "p.csv"), 1e-3);
-  EXPECT_GT(table.profile_error(), 1e-3);
-  const std::string text = to_csv(table);
-  EXPECT_EQ(read_table_csv(text, "table.csv").profile_error(), table.profile_error());
-  const std::size_t line = text.find("# profile_error: ");
-  std::string edited = text;
-  EXPECT_TRUE(has(complaint_about_table(edited.replace(line, text.find('\n', line) - line, "# profile_error: 0")),
-                  "edited or damaged"));
-  edited = text;
-  EXPECT_TRUE(has(complaint_about_table(edited.erase(line, text.find('\n', line) + 1 - line)),
-                  "expected '# profile_error: …'"));
-}
-
 TEST(TableFile, NamesWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint_about_table("a,b\n1,2\n"),
             "torn.csv:1:1: not a table: expected the first line '# limitcurve table, format 2'");
@@ -202,24 +185,6 @@ TEST(TableFile, NamesWhatIsWrongAndWhere) {
   EXPECT_TRUE(has(complaint_about_table(with("side,x,", "side,y,")), "expected the header side,x,force,moment,c0"));
   EXPECT_TRUE(has(complaint_about_table(with("# law: hertz", "# law: cone")),
                   "torn.csv: the table was edited or damaged: its checksum is fnv1a:"));
-}
-
-TEST(TableFile, RefusesTheOldKeyOfTheErrorWithTheCommandThatMakesTheTableAnew) {
-  std::string text = to_csv(Table::build(hertz(), 1e-4));
-  text.replace(text.find("# checked_error"), 15, "# certified_error");
-  EXPECT_EQ(complaint_about_table(text),
-            "torn.csv:4:3: 'certified_error' is now 'checked_error': make the table anew with limitcurve table --law "
-            "hertz --tolerance "
-            "1e-04 -o FILE");
-}
-
-TEST(ShellWord, IsWhatAShellReadsAsTheText) {
-  EXPECT_EQ(shell_word("mix:0.7*hertz+0.3*uniform"), "'mix:0.7*hertz+0.3*uniform'");
-  EXPECT_EQ(shell_word("samples:my dir/p.csv"), "'samples:my dir/p.csv'");
-  EXPECT_EQ(shell_word("power:n=2.3"), "power:n=2.3");
-  EXPECT_EQ(shell_word("it's $HOME.csv"), "'it'\\''s $HOME.csv'");
-  EXPECT_EQ(shell_word("~"), "'~'");
-  EXPECT_EQ(shell_word(""), "''");
 }
 
 // A checksum keeps accidents out, not contents that are not a curve.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/export/header.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table_file.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/export/header.hpp"
 #include "limitcurve/table_file.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/repetitions.hpp"

@@ -5,7 +5,7 @@
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/validate/validate.hpp"
-#include "special_values.hpp"
+#include "tests/limitcurve/special_values.hpp"
 #include "tests/superellipse.hpp"
 
 #include <gtest/gtest.h>

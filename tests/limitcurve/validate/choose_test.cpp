@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/validate/choose.hpp"
-#include "counted_law.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/validate/validate.hpp"
+#include "tests/limitcurve/counted_law.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>

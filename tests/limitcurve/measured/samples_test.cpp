@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/measured/samples.hpp"
-#include "counted_law.hpp"
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/contact/hold_error.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
@@ -8,9 +7,11 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/measured/own_radii.hpp"
 #include "limitcurve/table.hpp"
-#include "table_errors.hpp"
+#include "limitcurve/table_file.hpp"
 #include "tests/complaint.hpp"
 #include "tests/function_law.hpp"
+#include "tests/limitcurve/counted_law.hpp"
+#include "tests/limitcurve/table_errors.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
@@ -385,6 +386,22 @@ TEST(Samples, TabulatesWithinItsBudget) {
   EXPECT_LE(table.bytes(), 4096U);
   const std::array<PressureSample, 6> ring{{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {2.0, 3.0}, {3.0, 3.0}, {4.0, 3.0}}};
   EXPECT_LE(Table::build(samples(ring, "ring.csv"), 1e-8).bytes(), 65536U);
+}
+
+TEST(Samples, TheErrorOfATableIsHeldByItsFilesChecksum) {
+  const std::array<PressureSample, 5> profile{{{0, 1}, {0.3, 0.9}, {0.6, 0.7}, {0.8, 0.5}, {1, 0}}};
+  const Table table = Table::build(samples(profile, "p.csv"), 1e-3);
+  EXPECT_GT(table.profile_error(), 1e-3);
+  const std::string text = to_csv(table);
+  EXPECT_EQ(read_table_csv(text, "table.csv").profile_error(), table.profile_error());
+  const std::size_t line = text.find("# profile_error: ");
+  const std::size_t end = text.find('\n', line);
+  const auto expect_refusal = [&](const std::string& fact, const char* told) {
+    const std::string edited = text.substr(0, line) + fact + text.substr(end + fact.empty());
+    test::expect_mention(test::complaint([&] { read_table_csv(edited, "table.csv"); }), told);
+  };
+  expect_refusal("# profile_error: 0", "edited or damaged");
+  expect_refusal("", "expected '# profile_error: …'");
 }
 
 /// Hertz with noise, which the cubics follow.
