@@ -93,7 +93,7 @@ Preparation prepare(const LoadSamples& samples, const Loss& loss) {
   data.offset = moments ? 1.0 : 0.0;
   data.with_sigma = samples.samples.front().sigma > 0.0;
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
-    const LoadSample& sample = samples.samples[i];
+    const LoadSamples::Row& sample = samples.samples[i];
     const auto require = [&](bool good, const char* name, double value, const char* expected) {
       if (!good) {
         throw std::invalid_argument("sample " + std::to_string(i + 1) + ": " + name + " = " + format_number(value) +

@@ -20,19 +20,18 @@ struct Sample {
   std::size_t row = 0;  ///< the number by which messages name it, such as a line of a file; 0: its place, from 1
 };
 
-/// A contact radius, or the moment of a pure twist, at a load.
-/// A row of a file with the columns `load,radius[,sigma_radius]` or `load,moment[,sigma_moment]`.
-struct LoadSample {
-  double load = 0.0;   ///< P [N], > 0
-  double value = 0.0;  ///< radius [m] or moment [N·m], > 0
-  double sigma = 0.0;  ///< standard deviation of the value, > 0; or 0 in all samples if unknown
-  std::size_t row = 0;
-};
-
+/// Contact radii, or moments of pure twists, at loads: the rows of a file with the columns `load,radius[,sigma_radius]`
+/// or `load,moment[,sigma_moment]`.
 struct LoadSamples {
   enum class Quantity { radius, moment };
+  struct Row {
+    double load = 0.0;    ///< P [N], > 0
+    double value = 0.0;   ///< radius [m] or moment [N·m], > 0
+    double sigma = 0.0;   ///< standard deviation of the value, > 0; or 0 in all samples if unknown
+    std::size_t row = 0;  ///< as in Sample
+  };
   Quantity quantity = Quantity::radius;
-  std::vector<LoadSample> samples;
+  std::vector<Row> samples;
 };
 
 /// Loss function: the influence of a large residual. `scale` is the residual, in standard deviations, above which a

@@ -15,12 +15,14 @@ namespace limitcurve::godobject {
 
 /// Three numbers of a state that is plain data.
 using Numbers = std::array<double, 3>;
+namespace plain {
 [[nodiscard]] inline Eigen::Vector3d vector(const Numbers& numbers) noexcept {
   return {numbers[0], numbers[1], numbers[2]};
 }
 [[nodiscard]] inline Numbers numbers(const Eigen::Vector3d& vector) noexcept {
   return {vector.x(), vector.y(), vector.z()};
 }
+}  // namespace plain
 
 /// What is farther from the origin [m] is a fault of the device. A finger's sample is plausible if the sum of squares
 /// of its coordinates and depth [m] and its twist [rad] is at most farthest²; NaN is not. At this distance positions

@@ -44,10 +44,8 @@ UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {
   }
   const bool outside = slide > spin;
   const auto x = static_cast<Real>(outside ? spin : slide);
-  const Jet<Real> jet = view_.jet(outside, x);
-  const auto leading = static_cast<double>(jet.leading);
-  const auto trailing = static_cast<double>(jet.trailing);
-  return outside ? UnitWrench{trailing, leading} : UnitWrench{leading, trailing};
+  const auto [force, moment] = view_.jet(outside, x).wrench(outside);
+  return {static_cast<double>(force), static_cast<double>(moment)};
 }
 
 template <class Real>

@@ -252,7 +252,7 @@ template <class Real, class Number>
   }
   keep_direction<Real>(unit, limit, trial, limits.has_torsion);
   Projected<Number> projected = project(curve, projection, limits, unit, last);
-  const auto begins = !was_sliding && beyond_chord && projected.outside;
+  const auto begins = !was_sliding && beyond_chord && projected.exceeds;
   if (any(begins &&
           (limits.sliding.force < limits.sticking.force || limits.sliding.radius != limits.sticking.radius))) {
     // Slip begins: project on to the sliding limit.
@@ -263,7 +263,7 @@ template <class Real, class Number>
   }
 
   FrictionResult<Number> result;
-  result.slips = beyond_chord && projected.outside;
+  result.slips = beyond_chord && projected.exceeds;
   result.force_fraction = kept_fraction(result.slips && !(unit.force <= zero), projected.force_fraction);
   result.moment_fraction =
       limits.has_torsion ? kept_fraction(result.slips && !(unit.moment <= zero), projected.moment_fraction) : zero;

@@ -43,11 +43,11 @@ Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTr
   CurvePoint<Real> result = foot;
   if (foot.slide > Real(0) && foot.spin > Real(0)) {
     const auto s = static_cast<Real>(static_cast<double>(foot.slide / foot.spin) * growth);
-    const bool beyond_rim = s > Real(1);
-    const Real x = beyond_rim ? Real(1) / s : s;
-    const Jet<Real> jet = curve.jet(beyond_rim, x);
-    result.force = beyond_rim ? jet.trailing : jet.leading;
-    result.moment = beyond_rim ? jet.leading : jet.trailing;
+    const bool outside = s > Real(1);
+    const Real x = outside ? Real(1) / s : s;
+    const auto [force, moment] = curve.jet(outside, x).wrench(outside);
+    result.force = force;
+    result.moment = moment;
   }
   if (result.force > trial.force) {
     // The force stays and the moment alone slips: the closest point where a change of the force costs all, which joins

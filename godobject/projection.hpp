@@ -49,7 +49,7 @@ template <class Real, class Number>
 template <class Number>
 struct Projected {
   decltype(Number{} < Number{})
-      outside;             ///< the trial exceeds the curve by more than the factor slip_from; if not, ignore the rest
+      exceeds;             ///< the trial exceeds the curve by more than the factor slip_from; if not, ignore the rest
   Number force_fraction;   ///< f/f̂; any number if f̂ = 0
   Number moment_fraction;  ///< m/m̂
   Number slide;            ///< the slip's direction |v| : a|ω|, both ≥ 0
@@ -106,11 +106,11 @@ template <class Real, class Number>
   const CurveSide<Real, Number> side(
       trial.force - Number(curve.rim_force) > chi * (trial.moment - Number(curve.rim_moment)), trial.force,
       trial.moment);
-  const Number kappa = select(side.beyond_rim, inverse_chi, chi);
+  const Number kappa = select(side.outside, inverse_chi, chi);
   Jet<Number> jet;
   const Root<Number> root = find_root<Real>(
       [&](Number at) noexcept -> Residual<Number> {
-        jet = curve.jet(side.beyond_rim, at);
+        jet = curve.jet(side.outside, at);
         const Number over_leading = side.leading - jet.leading;
         const Number over_trailing = kappa * (side.trailing - jet.trailing);
         const Number stiff = one + kappa * at * at;

@@ -30,6 +30,12 @@ struct Jet {
   Real third;     ///< D‴
 
   [[nodiscard]] Real value(Real x) const noexcept { return trailing + x * leading; }  ///< D
+  /// Force and moment.
+  template <class Mask>
+  [[nodiscard]] std::array<Real, 2> wrench(Mask outside) const noexcept {
+    using arithmetic::select;
+    return {select(outside, trailing, leading), select(outside, leading, trailing)};
+  }
   /// The components a short step from x, by their Taylor series.
   [[nodiscard]] Jet moved(Real x, Real step) const noexcept {
     const Real half_step = Real(0.5) * step;
@@ -38,19 +44,19 @@ struct Jet {
   }
 };
 
-/// A cell of a table (TablePieces) at an index.
+/// A cell of a table (TableView) at an index.
 template <class Real>
 struct LoadedCell {
   const Real* numbers;
-  bool beyond_rim;
+  bool outside;
 
   [[nodiscard]] Real origin() const noexcept { return numbers[0]; }
-  [[nodiscard]] Real leading(int i) const noexcept { return numbers[2 * i + 2 + beyond_rim]; }
-  [[nodiscard]] Real trailing(int i) const noexcept { return numbers[2 * i + 3 - beyond_rim]; }
+  [[nodiscard]] Real leading(int i) const noexcept { return numbers[2 * i + 2 + outside]; }
+  [[nodiscard]] Real trailing(int i) const noexcept { return numbers[2 * i + 3 - outside]; }
 };
 template <std::floating_point Real, std::integral Index>
-[[nodiscard]] constexpr LoadedCell<Real> load_cell(const Real* array, Index at, bool beyond_rim) noexcept {
-  return {array + at, beyond_rim};
+[[nodiscard]] constexpr LoadedCell<Real> load_cell(const Real* array, Index at, bool outside) noexcept {
+  return {array + at, outside};
 }
 
 /// The cells of a table as a control loop reads them: the support function D(x) of both sides (Jet), a polynomial in
@@ -66,7 +72,7 @@ template <std::floating_point Real, std::integral Index>
 /// a singularity elsewhere, as of a pressure that is concentrated at the centre. NaN counts as the rim, so that no
 /// index leaves the arrays.
 template <class Real>
-struct TablePieces {
+struct TableView {
   const Real* cells =
       nullptr;  ///< of each: its origin x₀, twice, then fᵢ, mᵢ of f = Σ fᵢ (x − x₀)ⁱ, i = 0 … degree; aligned as a Pair
   const std::uint16_t* cell_of_bucket = nullptr;  ///< place of its last cell, in pairs of numbers; inside, then outside
@@ -84,20 +90,20 @@ struct TablePieces {
   static constexpr int padding = 4;
 
   /// Writes the cell with the origin `x` and the coefficients of D.
-  static constexpr void write_cell(bool beyond_rim, double x, const std::array<double, most_degree + 1>& coefficients,
+  static constexpr void write_cell(bool outside, double x, const std::array<double, most_degree + 1>& coefficients,
                                    int degree, Real* to) noexcept {
     to[0] = to[1] = static_cast<Real>(x);
     for (int i = 0; i <= degree; ++i) {
       to += 2;
       const double leading = i < degree ? (i + 1) * coefficients[static_cast<std::size_t>(i) + 1] : 0.0;
-      to[beyond_rim] = static_cast<Real>(leading);
-      to[!beyond_rim] = static_cast<Real>((1 - i) * coefficients[static_cast<std::size_t>(i)] - x * leading);
+      to[outside] = static_cast<Real>(leading);
+      to[!outside] = static_cast<Real>((1 - i) * coefficients[static_cast<std::size_t>(i)] - x * leading);
     }
   }
 
   /// Force and moment at x ∈ [0, 1]. Inlined at -O2, too.
-  [[nodiscard, gnu::always_inline]] arithmetic::Pair<Real> wrench(bool beyond_rim, Real x) const noexcept {
-    const Real* const cell = cells + 2 * place(beyond_rim, x);
+  [[nodiscard, gnu::always_inline]] arithmetic::Pair<Real> wrench(bool outside, Real x) const noexcept {
+    const Real* const cell = cells + 2 * place(outside, x);
     const Real t = x - *cell;
     auto sum = arithmetic::load_pair(cell + 2 * degree + 2);
     const auto add = [&](int i) { sum = sum * t + arithmetic::load_pair(cell + 2 * i + 2); };
@@ -111,13 +117,13 @@ struct TablePieces {
     return sum;
   }
 
-  /// The components and the derivatives of D at x ∈ [0, 1]. `Number` is Real or a pack of it, `beyond_rim` a bool or
+  /// The components and the derivatives of D at x ∈ [0, 1]. `Number` is Real or a pack of it, `outside` a bool or
   /// the pack's mask.
   template <class Number, class Mask>
-  LIMITCURVE_INLINED Jet<Number> jet(Mask beyond_rim, Number x) const noexcept {
+  LIMITCURVE_INLINED Jet<Number> jet(Mask outside, Number x) const noexcept {
     using namespace arithmetic;
-    const auto at = place(beyond_rim, x);
-    const auto cell = load_cell(cells, at + at, beyond_rim);
+    const auto at = place(outside, x);
+    const auto cell = load_cell(cells, at + at, outside);
     const Number t = x - cell.origin();
     // Horner's scheme for both, and for the Taylor coefficients of the leading one.
     Jet<Number> jet{};
@@ -140,28 +146,28 @@ struct TablePieces {
 
   /// The place of the cell that contains x, in pairs of numbers.
   template <class Number, class Mask>
-  [[nodiscard]] auto place(Mask beyond_rim, Number x) const noexcept {
+  [[nodiscard]] auto place(Mask outside, Number x) const noexcept {
     using namespace arithmetic;
     const Number y = larger(Number(Real(0)), Number(Real(1)) - x);
     const auto bits = leading_bits(y + Number(offset), dropped_bits);
-    const auto last = gather(cell_of_bucket, bits + one_of(runs, beyond_rim, bits));
+    const auto last = gather(cell_of_bucket, bits + one_of(runs, outside, bits));
     if (halvings > 0) [[unlikely]]
-      return search(last, beyond_rim, x);
+      return search(last, outside, x);
     return last;
   }
 
  private:
   /// The place of the last cell at or before `last` that begins at or before x.
   template <class Index, class Mask, class Number>
-  [[nodiscard]] Index search(Index last, Mask beyond_rim, Number x) const noexcept {
+  [[nodiscard]] Index search(Index last, Mask outside, Number x) const noexcept {
     using namespace arithmetic;
-    const Index first = one_of(first_cells, beyond_rim, last);
+    const Index first = one_of(first_cells, outside, last);
     const int one_cell = degree + 2;
     for (int step = one_cell << (halvings - 1); step >= one_cell; step /= 2) {
       // The first cell of a side begins at 0, and so ends the search.
       const Index next = first + not_negative(last - first - (step - one_cell));
-      const auto is_beyond = gather(cells, next + next) > larger(Number(Real(0)), x);
-      last = last - one_of({0, step}, is_beyond, last);
+      const auto is_after = gather(cells, next + next) > larger(Number(Real(0)), x);
+      last = last - one_of({0, step}, is_after, last);
     }
     return last;
   }
@@ -178,7 +184,7 @@ struct CurveView {
   Real inverse_moment_max = 1;
   Real rim_force = 0;  ///< the wrench at s = 1, the centre of rotation on the rim
   Real rim_moment = 0;
-  TablePieces<Real> table = {};
+  TableView<Real> table = {};
 
   /// Sets the intercepts and the wrench on the rim.
   void set_scale(Real force_intercept, Real moment_intercept, Real force_on_rim, Real moment_on_rim) noexcept {
@@ -194,12 +200,12 @@ struct CurveView {
 
   /// The support function inside or outside the rim at x ∈ [0, 1]. Not for the box, whose corner has many normals.
   template <class Number, class Mask>
-  LIMITCURVE_INLINED Jet<Number> jet(Mask beyond_rim, Number x) const noexcept {
+  LIMITCURVE_INLINED Jet<Number> jet(Mask outside, Number x) const noexcept {
     using namespace arithmetic;
-    if (has_table()) return table.jet(beyond_rim, x);
+    if (has_table()) return table.jet(outside, x);
     // D = √(A²x² + B²), A the semi-axis of the leading component and B the other's.
-    const Number a = select(beyond_rim, Number(moment_max), Number(force_max));
-    const Number b = select(beyond_rim, Number(force_max), Number(moment_max));
+    const Number a = select(outside, Number(moment_max), Number(force_max));
+    const Number b = select(outside, Number(force_max), Number(moment_max));
     const Number aa = a * a;
     const Number value = sqrt(aa * x * x + b * b);
     const Number inverse = Number(Real(1)) / value;
@@ -224,14 +230,14 @@ struct CurvePoint {
 template <class Real, class Number>
 struct CurveSide {
   using Mask = decltype(Number{} < Number{});
-  Mask beyond_rim;
+  Mask outside;
   Number leading;   ///< of the trial wrench
   Number trailing;  ///< of the trial wrench
 
-  CurveSide(Mask is_beyond, Number force, Number moment) noexcept : beyond_rim(is_beyond) {
+  CurveSide(Mask is_outside, Number force, Number moment) noexcept : outside(is_outside) {
     using namespace arithmetic;
-    leading = select(beyond_rim, moment, force);
-    trailing = select(beyond_rim, force, moment);
+    leading = select(outside, moment, force);
+    trailing = select(outside, force, moment);
   }
 
   /// The x at which a search starts: that of the curve parameter `last`; if `last` is 0 (none known), that of the twist
@@ -241,10 +247,10 @@ struct CurveSide {
     using namespace arithmetic;
     const Number zero = Number(Real(0));
     const auto is_known = last > zero;
-    Number x = select(beyond_rim, Number(Real(2)) - last, last);
+    Number x = select(outside, Number(Real(2)) - last, last);
     if (any(!is_known)) {
       const auto [slide, spin] = guess_twist();
-      x = select(is_known, x, select(beyond_rim, spin, slide) / select(beyond_rim, slide, spin));
+      x = select(is_known, x, select(outside, spin, slide) / select(outside, slide, spin));
     }
     // A wrench on an axis has its root exactly at the end, which the iteration would only approach.
     return select(leading > zero, larger(zero, smaller(Number(Real(1)), x)), zero);
@@ -253,8 +259,8 @@ struct CurveSide {
   [[nodiscard]] CurvePoint<Number> point(const Jet<Number>& jet, Number x) const noexcept {
     using arithmetic::select;
     const Number one = Number(Real(1));
-    return {select(beyond_rim, jet.trailing, jet.leading), select(beyond_rim, jet.leading, jet.trailing),
-            select(beyond_rim, one, x), select(beyond_rim, x, one), select(beyond_rim, Number(Real(2)) - x, x)};
+    const auto [force, moment] = jet.wrench(outside);
+    return {force, moment, select(outside, one, x), select(outside, x, one), select(outside, Number(Real(2)) - x, x)};
   }
 };
 
@@ -279,7 +285,7 @@ template <class Real, class Number>
   Jet<Number> jet;
   const Root<Number> root = find_root<Real>(
       [&](Number at) noexcept -> Residual<Number> {
-        jet = curve.jet(side.beyond_rim, at);
+        jet = curve.jet(side.outside, at);
         const Number turn = side.trailing + at * side.leading;
         const Number up = jet.trailing * side.leading;
         const Number down = jet.leading * side.trailing;

@@ -42,8 +42,7 @@ table::Source quick_source(const Law& law, const std::string& name) {
           [=](bool outside, double x) -> table::Sample {
             if (x == 0.0) return {x, 0, outside ? 1 : moment_ratio, 0.0};
             const UnitForces<double> forces = law->forces(outside ? 1.0 / x : x, Slope::unwanted);
-            if (outside) return {x, forces.moment, forces.force, error};
-            return {x, forces.force, forces.moment, error};
+            return table::Sample::of(outside, x, forces.force, forces.moment, error);
           },
           {}};
 }
@@ -58,8 +57,7 @@ table::Source fine_source(const Law& law, const std::string& name) {
             if (x == 0.0) return {x, 0, outside ? 1 : moment_ratio, 0.0};
             const auto [forces, bound] = law->unrounded(outside ? 1 / Extended(x) : Extended(x), Slope::unwanted);
             const double error = rounding + static_cast<double>(std::max(bound.force, bound.moment));
-            if (outside) return {x, forces.moment, forces.force, error};
-            return {x, forces.force, forces.moment, error};
+            return table::Sample::of(outside, x, forces.force, forces.moment, error);
           },
           {}};
 }
@@ -162,8 +160,7 @@ BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(Sli
                              [&](bool outside, double x) -> table::Sample {
                                const UnitWrench wrench = curve(outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0});
                                const double error = relative * std::max(wrench.force, wrench.moment);
-                               if (outside) return {x, wrench.moment, wrench.force, error};
-                               return {x, wrench.force, wrench.moment, error};
+                               return table::Sample::of(outside, x, wrench.force, wrench.moment, error);
                              },
                              {}};
   return built<Real>(options.name, tolerance,
@@ -184,9 +181,9 @@ int TableCells::degree() const noexcept {
 template <class Real>
 BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
   table::check<Real>(facts, cells);
-  using Pieces = TablePieces<Real>;
+  using View = TableView<Real>;
   const int degree = cells.degree();
-  const auto pairs_per_cell = static_cast<std::size_t>(Pieces::pairs_per_cell(degree));
+  const auto pairs_per_cell = static_cast<std::size_t>(View::pairs_per_cell(degree));
   const table::Buckets buckets{cells.index_bits, cells.octaves};
   auto data = std::make_shared<Data>(Data{std::move(facts), cells, {}, {}});
   std::size_t most_in_bucket = 0;
@@ -196,7 +193,7 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
     for (const TableCell& cell : side) {
       const std::size_t place = data->numbers.size();
       data->numbers.resize(place + pairs_per_cell);
-      Pieces::write_cell(outside, cell.x, cell.coefficients, degree, data->numbers[place].pair.data());
+      View::write_cell(outside, cell.x, cell.coefficients, degree, data->numbers[place].pair.data());
     }
     const auto last_before = [&](double end) {
       const auto begins_before = [](const TableCell& cell, double x) { return cell.x < x; };
@@ -212,7 +209,7 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
       most_in_bucket = std::max(most_in_bucket, last - last_before(std::nextafter(buckets.edge(i + 1), 1.0)));
     }
   }
-  data->numbers.resize(data->numbers.size() + Pieces::padding);
+  data->numbers.resize(data->numbers.size() + View::padding);
   const auto offset = std::ldexp(Real(1), -cells.octaves);
   const int dropped_bits = std::numeric_limits<Real>::digits - 1 - cells.index_bits;
   const auto first_bucket = static_cast<int>(arithmetic::leading_bits(offset, dropped_bits));
@@ -231,7 +228,7 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
 
 template <class Real>
 std::size_t BasicTable<Real>::bytes() const noexcept {
-  return (data_->numbers.size() - TablePieces<Real>::padding) * sizeof(Numbers) +
+  return (data_->numbers.size() - TableView<Real>::padding) * sizeof(Numbers) +
          data_->cell_of_bucket.size() * sizeof(std::uint16_t);
 }
 

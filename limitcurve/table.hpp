@@ -37,7 +37,7 @@ struct TableCell {
 
 /// Everything that defines a table's curve: the cells on both sides of the rim, and their index size.
 struct TableCells {
-  int index_bits = 0;              ///< p: 2^p buckets in each octave (TablePieces), 3 to 11
+  int index_bits = 0;              ///< p: 2^p buckets in each octave (TableView), 3 to 11
   int octaves = 0;                 ///< d: octaves of 1 − x + 2^−d
   std::vector<TableCell> inside;   ///< x = c/a, in order, from 0
   std::vector<TableCell> outside;  ///< x = a/c, in order, from 0
@@ -131,7 +131,6 @@ class BasicTable {
 
   /// Plain data for control loops. Valid while any copy of the table exists.
   [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
-  [[nodiscard]] const TablePieces<Real>& pieces() const noexcept { return view_.table; }
 
   /// The wrench of a slip twist, to checked_error(). Signs are ignored; a zero twist gives wrench 0.
   /// Inlined, as `point` and `gauge`: your compiler's flags may change its last bits (docs/interfaces.md).
@@ -153,7 +152,9 @@ class BasicTable {
     const Jet<Real> jet = view_.table.jet(outside, x);
     // u = 1/(1+s) = q/(1+q): ds/du = −(1+s)², dq/du = (1+q)².
     const double rate = (outside ? 1 : -1) * (1 + x) * (1 + x) * jet.second;
-    return {wrench_of(outside, jet.leading, jet.trailing), wrench_of(outside, rate, -double{x} * rate)};
+    const auto [force, moment] = jet.wrench(outside);
+    const auto [force_rate, moment_rate] = Jet<double>{rate, -double{x} * rate, 0.0, 0.0}.wrench(outside);
+    return {{force, moment}, {force_rate, moment_rate}};
   }
 
   /// Where the ray through `direction` ≠ 0 meets the table's curve, and the normal there. Usually 2 to 4 evaluations,
@@ -171,7 +172,7 @@ class BasicTable {
   struct Data {
     TableFacts facts;
     TableCells cells;
-    std::vector<Numbers> numbers;  // of the cells, as TablePieces reads them
+    std::vector<Numbers> numbers;  // of the cells, as TableView reads them
     std::vector<std::uint16_t> cell_of_bucket;
   };
   struct Place {
@@ -186,12 +187,6 @@ class BasicTable {
   static Place place(SlipTwist twist) noexcept {
     return {twist.slide > twist.spin,
             static_cast<Real>((std::min)(twist.slide, twist.spin) / (std::max)(twist.slide, twist.spin))};
-  }
-  /// Inside the rim the leading component is the force, outside the moment. An index, because a branch would often be
-  /// mispredicted.
-  static UnitWrench wrench_of(bool outside, double leading, double trailing) noexcept {
-    const double components[2] = {leading, trailing};
-    return {components[outside], components[!outside]};
   }
 
   std::shared_ptr<const Data> data_;

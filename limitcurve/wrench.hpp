@@ -85,6 +85,16 @@ struct UnitForces {
   Real force;
   Real moment;
   Real force_slope;
+
+  constexpr UnitForces& operator+=(const UnitForces& other) noexcept {
+    force += other.force;
+    moment += other.moment;
+    force_slope += other.force_slope;
+    return *this;
+  }
+  friend constexpr UnitForces operator*(Real factor, const UnitForces& forces) noexcept {
+    return {factor * forces.force, factor * forces.moment, factor * forces.force_slope};
+  }
 };
 
 /// A value and the truncation error of its quadrature, without rounding.

@@ -238,7 +238,7 @@ void add_tables(nb::module_& module) {
         const nb::gil_scoped_release release;
         new (self) Table(Table::build(of, tolerance, options));
       },
-      "The table of a law: |error| <= tolerance * max(1, m0) in f and m, tolerance in [1e-14, 0.1]. Its polynomials "
+      "The table of a law: |error| <= tolerance * max(1, m0) in f and m, tolerance in [1e-14, 0.1]. Its cells "
       "have the lowest\n"
       "degree, 3 to 5, with which nbytes <= preferred_bytes, else 6: the lowest is the fastest. Milliseconds in closed "
       "form, up to "

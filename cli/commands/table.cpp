@@ -27,7 +27,7 @@ class Table final : public Subcommand {
         "Without --name the names in a header hold the law and the checksum, so that each table has its own.\n"
         "Columns: law; tolerance; checked_error, an upper bound on the absolute error of force and moment in unit "
         "wrenches;\n"
-        "nodes, the number of polynomials in the table; bytes that a look-up may touch; profile_error, the error "
+        "nodes, the number of cells in the table; bytes that a look-up may touch; profile_error, the error "
         "because a\n"
         "measured pressure is known at samples only, to be added to checked_error (0 for a law given by a formula).",
         "limitcurve table --law hertz --tolerance 1e-6 -o hertz.csv"};
@@ -40,7 +40,7 @@ class Table final : public Subcommand {
                    "float 1e-6)");
     options.text("-o,--output", file_, "FILE", "File to write", Presence::required);
     options.count("--preferred-bytes", bytes_, 0, limitcurve::Table::max_bytes,
-                  "Memory that a look-up should touch: the polynomials get the lowest degree, 3 to 5, that fits, which "
+                  "Memory that a look-up should touch: the cells get the lowest degree, 3 to 5, that fits, which "
                   "is the fastest; else 6");
     static constexpr std::array<std::string_view, 2> reals{"double", "float"};
     options.choice("--real", is_single_, reals, "Numbers of a header");

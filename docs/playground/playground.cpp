@@ -29,8 +29,8 @@ namespace {
 
 constexpr int most_cells = 128;
 std::array<std::array<double, 8>, most_cells> rows;
-using Pieces = TablePieces<double>;
-alignas(16) std::array<double, 2 * Pieces::pairs_per_cell(Pieces::most_degree) * most_cells> cells;
+using View = TableView<double>;
+alignas(16) std::array<double, 2 * View::pairs_per_cell(View::most_degree) * most_cells> cells;
 // One bucket for each side, with its last cell; the table's own search finds the others.
 std::array<std::uint16_t, 2> last_cells;
 
@@ -75,11 +75,11 @@ PLAYGROUND_EXPORT(results) double* results() {
 
 /// Sets the curves of a law. Call it after writing the rows.
 PLAYGROUND_EXPORT(use_table) void use_table(int inside, int outside) {
-  constexpr int degree = Pieces::most_degree;
-  constexpr int pairs = Pieces::pairs_per_cell(degree);
+  constexpr int degree = View::most_degree;
+  constexpr int pairs = View::pairs_per_cell(degree);
   for (int i = 0; i < inside + outside; ++i) {
     const auto [x, c0, c1, c2, c3, c4, c5, c6] = rows[static_cast<std::size_t>(i)];
-    Pieces::write_cell(i >= inside, x, {c0, c1, c2, c3, c4, c5, c6}, degree, cells.data() + 2 * pairs * i);
+    View::write_cell(i >= inside, x, {c0, c1, c2, c3, c4, c5, c6}, degree, cells.data() + 2 * pairs * i);
   }
   last_cells = {static_cast<std::uint16_t>(pairs * (inside - 1)),
                 static_cast<std::uint16_t>(pairs * (inside + outside - 1))};

@@ -50,7 +50,8 @@ const int pair_size = [count = 0, pair = Pair()]() mutable {
 Pair load(const mjtNum* from) {
   Pair pair;
   each_number(pair, [&](auto& x) { x = static_cast<std::decay_t<decltype(x)>>(*from++); });
-  pair.finger.spin.angle = pair.finger.sample.angle, pair.finger.spin.normal = numbers(pair.finger.sample.normal);
+  pair.finger.spin.angle = pair.finger.sample.angle,
+  pair.finger.spin.normal = plain::numbers(pair.finger.sample.normal);
   pair.finger.output.depth = std::numeric_limits<double>::quiet_NaN();  // as every step under a given load
   return pair;
 }

@@ -28,18 +28,18 @@ template <class Real, class Isa>
   const auto force = lanes_of(trial.force), moment = lanes_of(trial.moment),
              compliance_ratio = lanes_of(trial.compliance_ratio), slip_from = lanes_of(trial.slip_from),
              parameter = lanes_of(last), loads = lanes_of(load);
-  Lanes<Real, Isa> outside, force_fraction, moment_fraction, slide, spin, next;
-  for (std::size_t i = 0; i < outside.size(); ++i) {
+  Lanes<Real, Isa> exceeds, force_fraction, moment_fraction, slide, spin, next;
+  for (std::size_t i = 0; i < exceeds.size(); ++i) {
     const godobject::Projected<Real> lane = godobject::project_along_c_curve(
         curve, {force[i], moment[i], compliance_ratio[i], slip_from[i]}, parameter[i], radius_law, loads[i]);
-    outside[i] = lane.outside ? Real(1) : Real(0);
+    exceeds[i] = lane.exceeds ? Real(1) : Real(0);
     force_fraction[i] = lane.force_fraction;
     moment_fraction[i] = lane.moment_fraction;
     slide[i] = lane.slide;
     spin[i] = lane.spin;
     next[i] = lane.parameter;
   }
-  return {pack_of<Isa>(outside) > Pack<Real, Isa>(Real(0)),
+  return {pack_of<Isa>(exceeds) > Pack<Real, Isa>(Real(0)),
           pack_of<Isa>(force_fraction),
           pack_of<Isa>(moment_fraction),
           pack_of<Isa>(slide),

@@ -27,7 +27,7 @@ Contact on_ball(const Eigen::Vector3d& centre, double radius, const Eigen::Vecto
   return {centre + normal * radius,
           normal,
           radius - distance,
-          {distance < radius ? 0 : -1, numbers(centre + normal), true}};
+          {distance < radius ? 0 : -1, plain::numbers(centre + normal), true}};
 }
 
 /// The unit vector along `way`, or along `otherwise` if it has no length.
@@ -47,7 +47,8 @@ SphereSurface::SphereSurface(double radius) : radius_(positive("radius", radius)
 
 Contact SphereSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept {
   // At the centre the finger keeps its side.
-  return on_ball(Eigen::Vector3d::Zero(), radius_, finger, direction(vector(memory.finger), Eigen::Vector3d::UnitZ()));
+  return on_ball(Eigen::Vector3d::Zero(), radius_, finger,
+                 direction(plain::vector(memory.finger), Eigen::Vector3d::UnitZ()));
 }
 
 CapsuleSurface::CapsuleSurface(double radius, double half_length)
@@ -60,7 +61,7 @@ Contact CapsuleSurface::contact(const Eigen::Vector3d& finger, const ContactMemo
   const auto nearest_on_axis = [this](double z) {
     return Eigen::Vector3d(0.0, 0.0, std::clamp(z, -half_length_, half_length_));
   };
-  const Eigen::Vector3d last = vector(memory.finger);
+  const Eigen::Vector3d last = plain::vector(memory.finger);
   const bool is_end = std::fabs(finger.z()) >= half_length_;
   // On the axis the finger keeps its side; between the ends that is across the axis.
   const Eigen::Vector3d side =
@@ -108,7 +109,7 @@ int CylinderSurface::entered(const Eigen::Vector3d& from, const Eigen::Vector3d&
 }
 
 Contact CylinderSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept {
-  const Eigen::Vector3d last = vector(memory.finger);
+  const Eigen::Vector3d last = plain::vector(memory.finger);
   const double distance = radial_part(finger).norm();
   const double beyond_side = distance - radius_;
   const double beyond_end = std::fabs(finger.z()) - half_length_;
@@ -130,9 +131,9 @@ Contact CylinderSurface::contact(const Eigen::Vector3d& finger, const ContactMem
   }
   if (face < 0 && beyond_side < 0.0 && beyond_end < 0.0)
     face = beyond_side > beyond_end ? 0 : finger.z() >= 0.0 ? 1 : 2;
-  ContactMemory next{face, numbers(finger), true};
+  ContactMemory next{face, plain::numbers(finger), true};
   if (face == 0) {
-    if (!(distance > nothing)) next.finger = numbers(radial + Eigen::Vector3d(0.0, 0.0, finger.z()));
+    if (!(distance > nothing)) next.finger = plain::numbers(radial + Eigen::Vector3d(0.0, 0.0, finger.z()));
     return {radial * radius_ + Eigen::Vector3d(0.0, 0.0, finger.z()), radial, -beyond_side, next};
   }
   if (face > 0) {
@@ -197,12 +198,12 @@ Contact BoxSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& 
   if (face >= 0 && (depth_under(face) <= 0.0 || beside(finger, face / 2))) face = -1;
   const bool inside = (finger.cwiseAbs() - half_edges_).maxCoeff() < 0.0;
   if (face < 0 && memory.face < 0 && memory.known) {
-    face = crossed(vector(memory.finger), finger);
+    face = crossed(plain::vector(memory.finger), finger);
     // It left through another side: the finger has passed a corner.
     if (face >= 0 && beside(finger, face / 2)) face = -1;
   }
   if (face < 0 && inside) face = nearest_face(finger);
-  const ContactMemory next{face, numbers(finger), true};
+  const ContactMemory next{face, plain::numbers(finger), true};
   if (face >= 0) {
     const int axis = face / 2;
     const double side = face % 2 == 0 ? 1.0 : -1.0;

@@ -165,7 +165,7 @@ RadiusLaw RadiusLaw::parse(std::string_view text) {
     expected.resize(expected.size() - 2);
     throw std::invalid_argument(
         "expected " + expected +
-        "; on the command line also samples:FILE.csv (load,radius), moments:FILE.csv (load,moment)" +
+        "; where files are read, also samples:FILE.csv (load,radius), moments:FILE.csv (load,moment)" +
         did_you_mean(name, names, text.substr(name.size())));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("radius law '" + std::string(text) + "': " + error.what());

@@ -79,7 +79,7 @@ double single_precision_error(const Table& table) {
 }
 
 std::string to_header(const Table& table, std::string_view chosen_name, bool is_single) {
-  const TableCells pieces = is_single ? table::in_single_precision(table.cells()) : table.cells();
+  const TableCells cells = is_single ? table::in_single_precision(table.cells()) : table.cells();
   const auto degree = static_cast<std::size_t>(table.degree());
   const auto literal = [&](double value) {
     std::array<char, 32> digits{};
@@ -136,7 +136,7 @@ LIMITCURVE_TABLE_DATA double @NAME@_moment_ratio = @RATIO@;
 /// The wrench at c = a, the centre of rotation on the rim.
 LIMITCURVE_TABLE_DATA @NAME@_friction @NAME@_rim = {@RIM@};
 
-/// The support function D(x) in pieces. A row is the x at which a piece begins, then the coefficients of D in powers of the distance from
+/// The support function D(x) in cells. A row is the x at which a cell begins, then the coefficients of D in powers of the distance from
 /// it. Inside the rim x = c/a, force = D', moment = D - x D'. Outside x = a/c, moment = D', force = D - x D'.
 LIMITCURVE_TABLE_DATA double @NAME@_inside[@INSIDE_COUNT@][@COLUMNS@] = @INSIDE@;
 LIMITCURVE_TABLE_DATA double @NAME@_outside[@OUTSIDE_COUNT@][@COLUMNS@] = @OUTSIDE@;
@@ -147,27 +147,27 @@ typedef struct @NAME@_jet {
   double second;    /* D'' */
 } @NAME@_jet;
 
-/// The curve at x in [0, 1], on one side of the rim. A bisection finds the piece.
+/// The curve at x in [0, 1], on one side of the rim. A bisection finds the cell.
 LIMITCURVE_TABLE_FUNCTION @NAME@_jet @NAME@_evaluate(int outside, double x) {
-  const double (*const pieces)[@COLUMNS@] = outside ? @NAME@_outside : @NAME@_inside;
+  const double (*const cells)[@COLUMNS@] = outside ? @NAME@_outside : @NAME@_inside;
   int low = 0;
   int high = outside ? @OUTSIDE_COUNT@ : @INSIDE_COUNT@;
   while (high - low > 1) {
     const int middle = low + (high - low) / 2;
-    if (pieces[middle][0] <= x) {
+    if (cells[middle][0] <= x) {
       low = middle;
     } else {
       high = middle;
     }
   }
-  const double t = x - pieces[low][0];
+  const double t = x - cells[low][0];
   double value = 0.0;
   double slope = 0.0;
   double half_second = 0.0;
   for (int i = @DEGREE@ + 1; i >= 1; --i) {
     half_second = half_second * t + slope;
     slope = slope * t + value;
-    value = value * t + pieces[low][i];
+    value = value * t + cells[low][i];
   }
   const @NAME@_jet jet = {slope, value - x * slope, 2.0 * half_second};
   return jet;
@@ -274,10 +274,10 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_closest_point(double force, dou
   put("@RIM@", literal(table.rim().force) + ", " + literal(table.rim().moment));
   put("@DEGREE@", std::to_string(degree));
   put("@COLUMNS@", std::to_string(degree + 2));
-  put("@INSIDE@", list(pieces.inside));
-  put("@OUTSIDE@", list(pieces.outside));
-  put("@INSIDE_COUNT@", std::to_string(pieces.inside.size()));
-  put("@OUTSIDE_COUNT@", std::to_string(pieces.outside.size()));
+  put("@INSIDE@", list(cells.inside));
+  put("@OUTSIDE@", list(cells.outside));
+  put("@INSIDE_COUNT@", std::to_string(cells.inside.size()));
+  put("@OUTSIDE_COUNT@", std::to_string(cells.outside.size()));
   // Last, because a file name may hold anything.
   put("@LAW@", table.law_name());
   return text;

@@ -219,22 +219,22 @@ template <class Real, class Isa>
 struct LoadedCell {
   Index<Real, Isa> at;
   const Real* array;
-  Mask<Real, Isa> beyond_rim;
+  Mask<Real, Isa> outside;
 
   [[nodiscard]] Pack<Real, Isa> origin() const noexcept { return gather(array, at); }
   [[nodiscard]] Pack<Real, Isa> force(int i) const noexcept { return gather(array + 2 * i + 2, at); }
   [[nodiscard]] Pack<Real, Isa> moment(int i) const noexcept { return gather(array + 2 * i + 3, at); }
   [[nodiscard]] Pack<Real, Isa> leading(int i) const noexcept {
-    return gather(array + 2 * i + 2, at + one_of({0, 1}, beyond_rim, at));
+    return gather(array + 2 * i + 2, at + one_of({0, 1}, outside, at));
   }
   [[nodiscard]] Pack<Real, Isa> trailing(int i) const noexcept {
-    return gather(array + 2 * i + 2, at + one_of({1, 0}, beyond_rim, at));
+    return gather(array + 2 * i + 2, at + one_of({1, 0}, outside, at));
   }
 };
 template <class Real, class Isa>
 [[nodiscard]] LoadedCell<Real, Isa> load_cell(const Real* array, Index<Real, Isa> at,
-                                              Mask<Real, Isa> beyond_rim) noexcept {
-  return {at, array, beyond_rim};
+                                              Mask<Real, Isa> outside) noexcept {
+  return {at, array, outside};
 }
 
 /// The lanes of a pack as an array, for functions that have no form for packs.

@@ -234,16 +234,16 @@ struct LoadedCell<double, Isa> {
   using Number = Pack<double, Isa>;
   std::array<Number, 8> low;   // the origin twice, and the pairs of coefficients 0 to 2
   std::array<Number, 8> high;  // 3 to 6, as far as the table has them
-  Mask<double, Isa> beyond_rim;
+  Mask<double, Isa> outside;
 
-  LoadedCell(Index<double, Isa> at, const double* array, Mask<double, Isa> is_beyond_rim) noexcept
-      : low(load_rows(array, at)), high(load_rows(array + 8, at)), beyond_rim(is_beyond_rim) {}
+  LoadedCell(Index<double, Isa> at, const double* array, Mask<double, Isa> is_outside) noexcept
+      : low(load_rows(array, at)), high(load_rows(array + 8, at)), outside(is_outside) {}
 
   [[nodiscard]] Number origin() const noexcept { return low[0]; }
   [[nodiscard]] Number force(int i) const noexcept { return pair(i)[0]; }
   [[nodiscard]] Number moment(int i) const noexcept { return pair(i)[1]; }
-  [[nodiscard]] Number leading(int i) const noexcept { return select(beyond_rim, moment(i), force(i)); }
-  [[nodiscard]] Number trailing(int i) const noexcept { return select(beyond_rim, force(i), moment(i)); }
+  [[nodiscard]] Number leading(int i) const noexcept { return select(outside, moment(i), force(i)); }
+  [[nodiscard]] Number trailing(int i) const noexcept { return select(outside, force(i), moment(i)); }
 
  private:
   [[nodiscard]] const Number* pair(int i) const noexcept {

@@ -85,12 +85,13 @@ Law parse_unchecked(std::string_view text) {
     } else if (rest) {
       const std::string key(rest->substr(0, rest->find('=')));
       throw std::invalid_argument(std::string(name) + " has no parameter" + (key.empty() ? "" : " '" + key + "'") +
-                                  ", expected " + std::string(name) +
-                                  "; the contact radius is that of the radius law (--radius-law)");
+                                  ", expected " + std::string(name) + "; the contact radius is that of the radius law");
     }
     return kind.make(value);
   }
-  expected.append(" ").append(mixture_example).append("; on the command line also samples:FILE.csv (radius,pressure)");
+  expected.append(" ")
+      .append(mixture_example)
+      .append("; where files are read, also samples:FILE.csv (radius,pressure)");
   throw complaint(text, expected + did_you_mean(name, names, text.substr(name.size())));
 }
 

@@ -81,10 +81,8 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
       // Beyond the rim of a part its whole pressure is on one side.
       const bool beyond = t >= static_cast<double>(part.law->breaks().back());
       const auto one = beyond ? Quadrature<double>{{1.0, 0.0, 0.0}, {}} : part.law->line_profile(t);
-      sum.forces.force += fraction * one.forces.force;
-      sum.forces.moment += fraction * one.forces.moment;
-      sum.error.force += fraction * one.error.force;
-      sum.error.moment += fraction * one.error.moment;
+      sum.forces += fraction * one.forces;
+      sum.error += fraction * one.error;
     }
     return sum;
   }
@@ -93,11 +91,8 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     Quadrature<Extended> sum{};
     for (const Part& part : parts_) {
       const auto [forces, error] = part.law->unrounded(s, slope);
-      sum.forces.force += part.fraction * forces.force;
-      sum.forces.moment += part.fraction * forces.moment;
-      sum.forces.force_slope += part.fraction * forces.force_slope;
-      sum.error.force += part.fraction * error.force;
-      sum.error.moment += part.fraction * error.moment;
+      sum.forces += part.fraction * forces;
+      sum.error += part.fraction * error;
     }
     return sum;
   }
@@ -109,14 +104,8 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
   }
 
   UnitForces<double> forces(double s, Slope slope) const noexcept override {
-    UnitForces<double> sum{0.0, 0.0, 0.0};
-    for (const Part& part : parts_) {
-      const auto fraction = static_cast<double>(part.fraction);
-      const UnitForces<double> one = part.law->forces(s, slope);
-      sum.force += fraction * one.force;
-      sum.moment += fraction * one.moment;
-      sum.force_slope += fraction * one.force_slope;
-    }
+    UnitForces<double> sum{};
+    for (const Part& part : parts_) sum += static_cast<double>(part.fraction) * part.law->forces(s, slope);
     return sum;
   }
 

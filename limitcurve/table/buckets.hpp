@@ -13,7 +13,7 @@ namespace limitcurve::table {
 template <class Real>
 inline constexpr double narrowest_cell = sizeof(Real) == sizeof(float) ? 0x1p-23 : 1e-30;
 
-/// Numbers p and d of a table's buckets (TablePieces): 2^p buckets in each octave of 1 − x + 2^−d.
+/// Numbers p and d of a table's buckets (TableView): 2^p buckets in each octave of 1 − x + 2^−d.
 struct Buckets {
   int index_bits = 3;
   int octaves = 1;
@@ -32,7 +32,7 @@ struct Buckets {
 /// What a look-up in so many cells may read.
 template <class Real>
 [[nodiscard]] std::size_t bytes_of(std::size_t cells, int degree, const Buckets& buckets) noexcept {
-  return cells * static_cast<std::size_t>(TablePieces<Real>::pairs_per_cell(degree)) * 2 * sizeof(Real) +
+  return cells * static_cast<std::size_t>(TableView<Real>::pairs_per_cell(degree)) * 2 * sizeof(Real) +
          2 * buckets.per_side() * sizeof(std::uint16_t);
 }
 

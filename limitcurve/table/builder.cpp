@@ -2,7 +2,7 @@
 #include "limitcurve/table/builder.hpp"
 
 #include "limitcurve/table/buckets.hpp"
-#include "limitcurve/table/piece.hpp"
+#include "limitcurve/table/draft_cell.hpp"
 
 #include <boost/math/tools/minima.hpp>
 
@@ -35,16 +35,17 @@ class Builder {
   /// Makes both sides meet at the rim, where D = f + m; false if a side would not stay convex.
   bool join_at_rim() {
     const Extended at_rim = sides_[0].back().leading_at_end() + sides_[1].back().leading_at_end();
-    return std::all_of(sides_.begin(), sides_.end(), [&](std::vector<Piece>& side) { return end_at(side, at_rim); });
+    return std::all_of(sides_.begin(), sides_.end(),
+                       [&](std::vector<DraftCell>& side) { return end_at(side, at_rim); });
   }
 
   [[nodiscard]] TableCells cells() const {
     TableCells result{buckets_.index_bits, buckets_.octaves, {}, {}};
-    for (const Piece& piece : sides_[0]) result.inside.push_back(piece.cell());
-    for (const Piece& piece : sides_[1]) result.outside.push_back(piece.cell());
+    for (const DraftCell& cell : sides_[0]) result.inside.push_back(cell.finished());
+    for (const DraftCell& cell : sides_[1]) result.outside.push_back(cell.finished());
     return result;
   }
-  [[nodiscard]] const std::array<std::vector<Piece>, 2>& sides() const noexcept { return sides_; }
+  [[nodiscard]] const std::array<std::vector<DraftCell>, 2>& sides() const noexcept { return sides_; }
 
  private:
   enum class Outcome { done, needs_octave, impossible, too_large };
@@ -82,28 +83,28 @@ class Builder {
     return outcome == Outcome::done ? lay_side(true) : outcome;
   }
 
-  /// The piece over [left, right]; with D′ as a chord if only that fits.
-  [[nodiscard]] Piece piece(bool outside, double left, double right, Extended start) const {
-    Piece result(source_, outside, static_cast<std::size_t>(degree_), left, right, start, target_);
+  /// The cell over [left, right]; with D′ as a chord if only that fits.
+  [[nodiscard]] DraftCell cell(bool outside, double left, double right, Extended start) const {
+    DraftCell result(source_, outside, static_cast<std::size_t>(degree_), left, right, start, target_);
     if (!fits(result) && result.may_be_straight()) {
-      Piece chord = result;
+      DraftCell chord = result;
       chord.straighten();
       if (fits(chord)) return chord;
     }
     return result;
   }
-  [[nodiscard]] bool fits(const Piece& piece) const { return piece.least_growth() >= 0 && piece.error() <= target_; }
+  [[nodiscard]] bool fits(const DraftCell& cell) const { return cell.least_growth() >= 0 && cell.error() <= target_; }
 
   /// Factor by which the width should change. The error grows like the power `degree` of the width.
-  [[nodiscard]] double change(const Piece& piece) const {
-    if (!(piece.least_growth() >= 0)) return 0.5;
-    const double error = std::max(static_cast<double>(piece.error()), 1e-6 * target_);
+  [[nodiscard]] double change(const DraftCell& cell) const {
+    if (!(cell.least_growth() >= 0)) return 0.5;
+    const double error = std::max(static_cast<double>(cell.error()), 1e-6 * target_);
     return std::clamp(0.93 * std::pow(target_ / error, 1.0 / degree_), 0.25, 4.0);
   }
 
   [[nodiscard]] int octaves_to_rim() const { return std::max(octaves_to_end(false, true), octaves_to_end(true, true)); }
 
-  /// k such that a piece of width 2^−k fits at an end of a side. The power with which its error falls is estimated from
+  /// k such that a cell of width 2^−k fits at an end of a side. The power with which its error falls is estimated from
   /// one try to the next.
   [[nodiscard]] int octaves_to_end(bool outside, bool rim) const {
     const double most_power = degree_;
@@ -115,7 +116,7 @@ class Builder {
       const double width = std::ldexp(1.0, -k);
       const double left = rim ? 1.0 - width : 0.0;
       const Sample begin = source_.at(outside, left);
-      const Piece here = piece(outside, left, rim ? 1.0 : width, begin.trailing + begin.x * begin.leading);
+      const DraftCell here = cell(outside, left, rim ? 1.0 : width, begin.trailing + begin.x * begin.leading);
       if (fits(here)) break;
       const auto error = static_cast<double>(here.error());
       if (step > 0 && last_error > 0.0 && error > 0.0)
@@ -128,14 +129,14 @@ class Builder {
   }
 
   [[nodiscard]] Outcome lay_side(bool outside) {
-    std::vector<Piece>& side = sides_[outside];
+    std::vector<DraftCell>& side = sides_[outside];
     side.clear();
     Extended start = source_.at(outside, 0.0).trailing;
     double left = 0.0;
     double guess = splits_buckets_ ? std::ldexp(1.0, -octaves_to_end(outside, false)) : 0.25;
     double last_width = guess;
     while (left < 1.0) {
-      std::optional<Piece> next = widest(outside, left, guess, start);
+      std::optional<DraftCell> next = widest(outside, left, guess, start);
       if (!next && splits_buckets_) next = narrower(outside, left, guess, start);
       if (!next) {
         if (splits_buckets_) return Outcome::impossible;
@@ -149,7 +150,7 @@ class Builder {
         edges_ = buckets_.edges();
         continue;
       }
-      // Towards a singularity widths shrink by the same factor from piece to piece: extrapolate it.
+      // Towards a singularity widths shrink by the same factor from cell to cell: extrapolate it.
       const auto width = static_cast<double>(next->width());
       guess = width * std::clamp(width / last_width, 0.5, 2.0);
       last_width = width;
@@ -161,17 +162,17 @@ class Builder {
     return Outcome::done;
   }
 
-  /// Nearly the widest piece from `left` that fits; nothing if even one bucket is too wide.
-  [[nodiscard]] std::optional<Piece> widest(bool outside, double left, double guess, Extended start) const {
+  /// Nearly the widest cell from `left` that fits; nothing if even one bucket is too wide.
+  [[nodiscard]] std::optional<DraftCell> widest(bool outside, double left, double guess, Extended start) const {
     const auto at_most = [&](double x) {
       return static_cast<std::size_t>(std::upper_bound(edges_.begin(), edges_.end(), x) - edges_.begin()) - 1;
     };
-    std::optional<Piece> best;
+    std::optional<DraftCell> best;
     std::size_t good = at_most(left);
     std::size_t bad = edges_.size();
     std::size_t to = std::clamp(at_most(left + guess), good + 1, bad - 1);
     while (true) {
-      const Piece here = piece(outside, left, edges_[to], start);
+      const DraftCell here = cell(outside, left, edges_[to], start);
       const bool fit = fits(here);
       if (fit) best = here;
       (fit ? good : bad) = to;
@@ -182,11 +183,11 @@ class Builder {
     }
   }
 
-  /// Nearly the widest piece from `left` that fits within its bucket; nothing if none does.
-  [[nodiscard]] std::optional<Piece> narrower(bool outside, double left, double guess, Extended start) const {
+  /// Nearly the widest cell from `left` that fits within its bucket; nothing if none does.
+  [[nodiscard]] std::optional<DraftCell> narrower(bool outside, double left, double guess, Extended start) const {
     const double edge = *std::upper_bound(edges_.begin(), edges_.end(), left);
     constexpr double least = narrowest_cell<Real>;
-    std::optional<Piece> best;
+    std::optional<DraftCell> best;
     double good = 0.0;
     double bad = edge - left;
     double width = std::min(guess, 0.5 * bad);
@@ -195,7 +196,7 @@ class Builder {
       // The rest of the bucket must be wide enough for a cell, too.
       const double right = static_cast<Real>(left + width);
       if (!(right - left >= least && edge - right >= least)) return best;
-      const Piece here = piece(outside, left, right, start);
+      const DraftCell here = cell(outside, left, right, start);
       const bool fit = fits(here);
       if (fit) best = here;
       (fit ? good : bad) = width;
@@ -211,19 +212,19 @@ class Builder {
     return bytes_of<Real>(sides_[0].size() + sides_[1].size(), degree_, buckets_) <= most_bytes_;
   }
 
-  /// Makes D end at `value`: bends the widest piece that stays convex, and raises those after it. False if there is
+  /// Makes D end at `value`: bends the widest cell that stays convex, and raises those after it. False if there is
   /// none.
-  static bool end_at(std::vector<Piece>& side, Extended value) {
+  static bool end_at(std::vector<DraftCell>& side, Extended value) {
     const Extended rise = value - side.back().end();
-    // Rounding is left: on a nearly straight side only a piece too narrow to bend may stay convex.
+    // Rounding is left: on a nearly straight side only a cell too narrow to bend may stay convex.
     if (std::fabs(rise) <= std::numeric_limits<double>::epsilon() / 2 * value) return true;
-    Piece* bent = nullptr;
-    for (Piece& one : side) {
+    DraftCell* bent = nullptr;
+    for (DraftCell& one : side) {
       if (one.stays_convex(rise) && (bent == nullptr || one.width() > bent->width())) bent = &one;
     }
     if (bent == nullptr) return false;
     bent->raise_end(rise);
-    for (Piece& after : side) {
+    for (DraftCell& after : side) {
       if (after.left() > bent->left()) after.raise(rise);
     }
     return true;
@@ -239,14 +240,15 @@ class Builder {
   Buckets buckets_;
   bool splits_buckets_ = false;
   std::vector<double> edges_;
-  std::array<std::vector<Piece>, 2> sides_;
+  std::array<std::vector<DraftCell>, 2> sides_;
 };
 
 /// Error bound of the finished table in its own arithmetic: the largest error, plus the error of the exact curve. A
-/// maximum of the error is bracketed by three of the pieces' samples, and found between them, unless it is clearly
+/// maximum of the error is bracketed by three of the cells' samples, and found between them, unless it is clearly
 /// smaller than another.
 template <class Real>
-double find_error(const Source& source, const BasicTable<Real>& table, const std::array<std::vector<Piece>, 2>& sides) {
+double find_error(const Source& source, const BasicTable<Real>& table,
+                  const std::array<std::vector<DraftCell>, 2>& sides) {
   struct Bracket {
     double error;
     bool outside;
@@ -257,7 +259,7 @@ double find_error(const Source& source, const BasicTable<Real>& table, const std
   double exact_error = 0.0;
   const auto error_at = [&](bool outside, const Sample& exact) {
     exact_error = std::max(exact_error, exact.error);
-    const Jet<Real> jet = table.pieces().jet(outside, static_cast<Real>(exact.x));
+    const Jet<Real> jet = table.view().table.jet(outside, static_cast<Real>(exact.x));
     const auto error = static_cast<double>(
         std::max(std::fabs(Extended(jet.leading) - exact.leading), std::fabs(Extended(jet.trailing) - exact.trailing)));
     worst = std::max(worst, error);
@@ -266,8 +268,8 @@ double find_error(const Source& source, const BasicTable<Real>& table, const std
   std::vector<Bracket> brackets;
   for (const bool outside : {false, true}) {
     std::map<double, double> errors;
-    for (const Piece& piece : sides[outside]) {
-      for (const Sample& exact : piece.samples()) errors[exact.x] = error_at(outside, exact);
+    for (const DraftCell& cell : sides[outside]) {
+      for (const Sample& exact : cell.samples()) errors[exact.x] = error_at(outside, exact);
     }
     for (auto here = std::next(errors.begin()); std::next(here) != errors.end(); ++here) {
       const auto before = std::prev(here);
@@ -348,13 +350,13 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance, st
     if (is_new) place->second = source.at(outside, x);
     return place->second;
   };
-  constexpr int highest = TablePieces<Real>::most_degree;
-  for (int degree = TablePieces<Real>::least_degree; degree < highest; ++degree) {
+  constexpr int highest = TableView<Real>::most_degree;
+  for (int degree = TableView<Real>::least_degree; degree < highest; ++degree) {
     if (auto table = build_of_degree<Real>(remembered, tolerance, degree, std::min(bytes, most), false)) return table;
   }
   if (auto table = build_of_degree<Real>(remembered, tolerance, highest, most, false)) return table;
   // A step of a search takes as long as eight degrees. Where the highest degree meets rounding, the lowest may do.
-  for (const int degree : {highest, TablePieces<Real>::least_degree}) {
+  for (const int degree : {highest, TableView<Real>::least_degree}) {
     if (auto table = build_of_degree<Real>(remembered, tolerance, degree, most, true)) return table;
   }
   return std::nullopt;

@@ -19,6 +19,10 @@ struct Sample {
   Extended leading;
   Extended trailing;
   double error;  ///< of either, absolute
+
+  static Sample of(bool outside, double x, Extended force, Extended moment, double error) {
+    return outside ? Sample{x, moment, force, error} : Sample{x, force, moment, error};
+  }
 };
 
 /// The curve from which a table is built.

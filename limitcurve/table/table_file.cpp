@@ -20,10 +20,11 @@ namespace {
 using Row = TableContents::Row;
 
 constexpr std::string_view title = "# limitcurve table, format 2";
-constexpr std::string_view piece_columns = "x,force,moment,c0,c1,c2,c3,c4,c5,c6";
+constexpr std::string_view cell_columns = "x,force,moment,c0,c1,c2,c3,c4,c5,c6";
 constexpr std::size_t coefficients_from = 3;
 constexpr std::string_view legend =
-    "# One row a polynomial, in the order of the curve from pure spin to pure sliding; and one at x = 1 for each side, "
+    "# One row for each cell, in the order of the curve from pure spin to pure sliding; and one at x = 1 for each "
+    "side, "
     "the rim.\n"
     "# c: distance of the centre of rotation, a: contact radius. x = c/a inside the rim, a/c outside. force = F/(mu "
     "P),\n"
@@ -33,20 +34,15 @@ constexpr std::string_view legend =
     "straight\n"
     "# line between two rows: to linear_error.\n";
 
-UnitWrench wrench(const Table& table, bool outside, double x) {
-  const Jet<double> jet = table.pieces().jet(outside, x);
-  return outside ? UnitWrench{jet.trailing, jet.leading} : UnitWrench{jet.leading, jet.trailing};
-}
-
 /// The rows of one side in order of x.
 std::vector<Row> rows_of(const Table& table, const std::vector<TableCell>& cells, bool outside) {
   std::vector<Row> rows;
   const auto add = [&](double x, const std::array<double, 7>& c) {
-    const auto [force, moment] = wrench(table, outside, x);
+    const auto [force, moment] = table.view().table.jet(outside, x).wrench(outside);
     rows.push_back({x, force, moment, c[0], c[1], c[2], c[3], c[4], c[5], c[6]});
   };
   for (const TableCell& cell : cells) add(cell.x, cell.coefficients);
-  const Jet<double> rim = table.pieces().jet(outside, 1.0);
+  const Jet<double> rim = table.view().table.jet(outside, 1.0);
   add(1.0, {rim.value(1.0), rim.leading});
   return rows;
 }
@@ -60,7 +56,7 @@ double error_of_chords(const Table& table, const std::vector<Row>& rows, bool ou
       const auto chord = [&](std::size_t column) {
         return std::lerp(rows[i][column], rows[i + 1][column], part / double{parts});
       };
-      const auto [force, moment] = wrench(table, outside, chord(0));
+      const auto [force, moment] = table.view().table.jet(outside, chord(0)).wrench(outside);
       worst = std::max({worst, std::fabs(chord(1) - force), std::fabs(chord(2) - moment)});
     }
   }
@@ -157,7 +153,7 @@ std::string to_csv(const Table& table) {
   for (std::size_t i = 0; i < facts.size(); ++i) add(i, facts[i]);
   add(facts.size(), version);
   add(facts.size() + 1, checksum(contents));
-  return text.append(legend).append("side,").append(piece_columns) + "\n" + csv_rows(contents);
+  return text.append(legend).append("side,").append(cell_columns) + "\n" + csv_rows(contents);
 }
 
 Table read_table_csv(std::string_view text, std::string_view source) {
@@ -176,7 +172,7 @@ Table read_table_csv(std::string_view text, std::string_view source) {
     if (name == "profile_error") contents.profile_error = reader.number(value, column);
     if (name == "checksum") sum = value;
   }
-  const std::string columns = "side," + std::string(piece_columns);
+  const std::string columns = "side," + std::string(cell_columns);
   reader.header(columns);
   while (!reader.at_end()) {
     const std::string_view line = reader.line();
@@ -216,7 +212,7 @@ std::string to_json(const Table& table) {
   for (std::size_t i = 1; i < facts.size(); ++i) add(fact_names[i], facts[i]);
   add("version", quoted(version));
   add("checksum", quoted(checksum(contents)));
-  std::string names = quoted(piece_columns);
+  std::string names = quoted(cell_columns);
   for (std::size_t comma = 0; (comma = names.find(',', comma)) != std::string::npos; comma += 4)
     names.replace(comma, 1, "\", \"");
   add("columns", "[" + names + "]");

@@ -10,12 +10,13 @@ namespace {
 
 /// With (v, aω) = (x, 1) inside the rim, (1, x) outside, and H = fv + maω = D: p² = f H/v and q² = m H/(aω).
 TangentEllipse touching_at(const Table& curve, bool outside, double x) noexcept {
-  const Jet<double> jet = curve.pieces().jet(outside, x);
+  const Jet<double> jet = curve.view().table.jet(outside, x);
   // D′(0) = 0.
   const double per_x = x > std::numeric_limits<double>::min() ? jet.leading / x : jet.second;
   const double leading = std::sqrt(jet.value(x) * per_x);
   const double trailing = std::sqrt(jet.value(x) * jet.trailing);
-  return outside ? TangentEllipse{trailing, leading} : TangentEllipse{leading, trailing};
+  const auto [p, q] = Jet<double>{leading, trailing, 0.0, 0.0}.wrench(outside);
+  return {p, q};
 }
 
 /// What a direction that has no length gives: the usual ellipse, or NaN.
@@ -42,11 +43,11 @@ TangentEllipse tangent_ellipse(const Table& curve, double force, double moment, 
   const UnitWrench rim = curve.rim();
   const bool outside = sliding * rim.moment > turning * rim.force;
   const double share = outside ? turning : sliding;
-  const Jet<double> end = curve.pieces().jet(outside, 0.0);
+  const Jet<double> end = curve.view().table.jet(outside, 0.0);
   // xD′/D = share.
   const Root<double> root = find_root<double>(
       [&](double x) noexcept -> Residual<double> {
-        const Jet<double> jet = curve.pieces().jet(outside, x);
+        const Jet<double> jet = curve.view().table.jet(outside, x);
         const double up = share * jet.value(x);
         const double down = x * jet.leading;
         return {up - down, -(1.0 - share) * jet.leading - x * jet.second, -(2.0 - share) * jet.second - x * jet.third,

@@ -192,7 +192,7 @@ TEST(Invariance, GrowthOverTheLoadTooIsFittedAlike) {
           constexpr double length = 1000.0;
           constexpr double force = 1e-3;
           other = samples;
-          for (LoadSample& sample : other.samples) {
+          for (LoadSamples::Row& sample : other.samples) {
             sample.load *= force;
             sample.value *= length * (quantity == LoadSamples::Quantity::moment ? force : 1.0);
             sample.sigma *= length * (quantity == LoadSamples::Quantity::moment ? force : 1.0);

@@ -43,7 +43,7 @@ TEST(LoadFit, RecoversAHundredTruthsToEightDigits) {
     LoadSamples samples = make(moments ? LoadSamples::Quantity::moment : LoadSamples::Quantity::radius, coefficient,
                                gamma, 0.0, false, 12, random);
     if (i % 4 < 2) {
-      for (LoadSample& sample : samples.samples) sample.sigma = 0.01 * sample.value;
+      for (LoadSamples::Row& sample : samples.samples) sample.sigma = 0.01 * sample.value;
     }
     const FitReport report = fit_load(samples, model).report;
     EXPECT_TRUE(report.converged) << report.message;
@@ -68,19 +68,19 @@ TEST(LoadFit, StandardErrorsAreThoseOfARegressionLine) {
   const auto n = static_cast<double>(samples.samples.size());
   double x = 0.0;
   double y = 0.0;
-  for (const LoadSample& s : samples.samples) {
+  for (const LoadSamples::Row& s : samples.samples) {
     x += std::log(s.load) / n;
     y += std::log(s.value) / n;
   }
   double xx = 0.0;
   double xy = 0.0;
-  for (const LoadSample& s : samples.samples) {
+  for (const LoadSamples::Row& s : samples.samples) {
     xx += std::pow(std::log(s.load) - x, 2);
     xy += (std::log(s.load) - x) * (std::log(s.value) - y);
   }
   const double slope = xy / xx;
   double squares = 0.0;
-  for (const LoadSample& s : samples.samples)
+  for (const LoadSamples::Row& s : samples.samples)
     squares += std::pow(std::log(s.value) - y - slope * (std::log(s.load) - x), 2);
   const double variance = squares / (n - 2.0);
   const FitReport report = fit_load(samples, LoadModel::power).report;
@@ -222,7 +222,7 @@ TEST(LoadFit, SaysWhatSigmasAndTheRangeOfGammaContradict) {
   };
   LoadSamples samples = make(LoadSamples::Quantity::radius, 2e-3, 0.3, 0.01, true, 20, random);
   EXPECT_FALSE(warned(samples, "times what the sigmas say"));
-  for (LoadSample& sample : samples.samples) sample.sigma *= 0.1;
+  for (LoadSamples::Row& sample : samples.samples) sample.sigma *= 0.1;
   EXPECT_TRUE(warned(samples, "times what the sigmas say"));
   EXPECT_FALSE(warned(samples, "end of its range"));
   EXPECT_TRUE(warned(make(LoadSamples::Quantity::radius, 2e-3, 1.8, 0.01, true, 20, random),

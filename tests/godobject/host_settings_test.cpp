@@ -35,8 +35,8 @@ void expect_same_bits(const FingerState& one, const FingerState& other) {
   same(one.output.force, other.output.force);
   same(one.sample.goal, other.sample.goal);
   same(one.sample.normal, other.sample.normal);
-  same(vector(one.spin.normal), vector(other.spin.normal));
-  same(vector(one.contact.finger), vector(other.contact.finger));
+  same(plain::vector(one.spin.normal), plain::vector(other.spin.normal));
+  same(plain::vector(one.contact.finger), plain::vector(other.contact.finger));
   ASSERT_EQ(one.contact.face, other.contact.face);
   ASSERT_EQ(one.faults.refused, other.faults.refused);
   ASSERT_EQ(one.friction.force_slides, other.friction.force_slides);

@@ -45,7 +45,7 @@ End projected(const FingerCurve& curve, Projection projection, const Outside& ou
             0.0};
   }
   const Projected<double> result = project(curve.view(), projection, limits, outside.trial, outside.last);
-  EXPECT_TRUE(result.outside) << outside.trial.force << ' ' << outside.trial.moment;
+  EXPECT_TRUE(result.exceeds) << outside.trial.force << ' ' << outside.trial.moment;
   const auto kept = [](double ratio, double trial) { return trial > 0.0 ? ratio * trial : 0.0; };
   return {{kept(result.force_fraction, outside.trial.force), kept(result.moment_fraction, outside.trial.moment)},
           {result.slide, result.spin},

@@ -62,7 +62,7 @@ TEST(LawGrammar, SaysWhatIsWrong) {
                                     {" hertz", "expected one of hertz"},
                                     {"hertz:", "hertz has no parameter, expected hertz"},
                                     {"hertz:n=1", "hertz has no parameter 'n', expected hertz"},
-                                    {"hertz:a=0.005", "the contact radius is that of the radius law (--radius-law)"},
+                                    {"hertz:a=0.005", "the contact radius is that of the radius law"},
                                     {"power", "expected n=NUMBER"},
                                     {"power:", "expected n=NUMBER"},
                                     {"power:n", "expected n=NUMBER"},

@@ -48,12 +48,12 @@ inline auto exact_of(const Law& law) {
   };
 }
 
-/// Neighbouring cells have the same D and D′ where they meet, and D″ ≥ 0 everywhere: as TablePieces reads them.
+/// Neighbouring cells have the same D and D′ where they meet, and D″ ≥ 0 everywhere: as TableView reads them.
 template <class Real>
 void expect_convex_and_smooth(const BasicTable<Real>& table) {
   constexpr double epsilon = std::numeric_limits<Real>::epsilon();
   const TableCells cells = table.cells();
-  const TablePieces<Real>& pieces = table.pieces();
+  const TableView<Real>& view = table.view().table;
   std::mt19937_64 random(4);
   for (const bool outside : {false, true}) {
     const std::vector<TableCell>& side = outside ? cells.outside : cells.inside;
@@ -61,14 +61,14 @@ void expect_convex_and_smooth(const BasicTable<Real>& table) {
       const double right = i + 1 < side.size() ? side[i + 1].x : 1.0;
       std::uniform_real_distribution<double> within(side[i].x, right);
       for (int k = 0; k < 20; ++k) {
-        const Jet<Real> jet = pieces.jet(outside, static_cast<Real>(within(random)));
+        const Jet<Real> jet = view.jet(outside, static_cast<Real>(within(random)));
         EXPECT_GE(jet.second, -64 * epsilon * std::fabs(side[i].coefficients[2])) << outside << ' ' << side[i].x;
       }
       if (i == 0) continue;
       const auto x = static_cast<Real>(side[i].x);
       const auto before = std::nextafter(x, Real(0));
-      const Jet<Real> here = pieces.jet(outside, x);
-      const Jet<Real> there = pieces.jet(outside, before);
+      const Jet<Real> here = view.jet(outside, x);
+      const Jet<Real> there = view.jet(outside, before);
       const double step = double{x} - double{before};
       const double scale = std::max(table.force_max(), table.force_max() * table.moment_ratio());
       EXPECT_NEAR(here.value(x), there.value(before), step * std::fabs(double{here.leading}) + 8 * epsilon * scale)
@@ -78,8 +78,8 @@ void expect_convex_and_smooth(const BasicTable<Real>& table) {
           << outside << ' ' << x;
     }
   }
-  const Jet<Real> inside = pieces.jet(false, Real(1));
-  const Jet<Real> outside = pieces.jet(true, Real(1));
+  const Jet<Real> inside = view.jet(false, Real(1));
+  const Jet<Real> outside = view.jet(true, Real(1));
   const double scale = std::max(double{inside.value(1)}, double{outside.value(1)});
   EXPECT_NEAR(inside.value(1), outside.value(1), 8 * epsilon * scale);
   EXPECT_NEAR(inside.leading + outside.leading, inside.value(1), 8 * epsilon * scale);

@@ -67,23 +67,23 @@ TEST(Table, HasTheLowestDegreeWithinItsBudget) {
     for (const double tolerance : {1e-3, 1e-6, 1e-8, 1e-10}) {
       std::size_t more = 0;
       int last = 7;
-      int steps = Table::build(law, tolerance, {.preferred_bytes = 0}).pieces().halvings;
+      int steps = Table::build(law, tolerance, {.preferred_bytes = 0}).view().table.halvings;
       for (const std::size_t bytes : {0U, 2048U, 4096U, 16384U, 98304U}) {
         const Table table = Table::build(law, tolerance, {.preferred_bytes = bytes});
         EXPECT_TRUE(table.degree() == 6 || table.bytes() <= bytes) << name << ' ' << tolerance << ' ' << bytes;
         EXPECT_LE(table.degree(), last);
-        EXPECT_LE(table.pieces().halvings, steps)
+        EXPECT_LE(table.view().table.halvings, steps)
             << name << ' ' << tolerance << ' ' << bytes;  // a search takes longer than all degrees
         EXPECT_GE(table.bytes(), more);
         EXPECT_EQ(table.degree(), Table(TableFacts{"again", tolerance, table.checked_error()}, table.cells()).degree());
         EXPECT_LE(worst_error(table, exact_of(law), 300), table.checked_error() + 2e-16);
         last = table.degree();
         more = table.bytes();
-        steps = table.pieces().halvings;
+        steps = table.view().table.halvings;
       }
     }
     EXPECT_EQ(Table::build(law, 1e-3).degree(), 3) << name;
-    EXPECT_EQ(Table::build(law, 1e-8).pieces().halvings, 0) << name;
+    EXPECT_EQ(Table::build(law, 1e-8).view().table.halvings, 0) << name;
     EXPECT_EQ(Table::build(law, 1e-13).degree(), 6) << name;
   }
 }
@@ -266,7 +266,7 @@ TEST(Table, OutlivesWhatItWasCopiedFrom) {
   {
     const Table other = Table::build(uniform(), 1e-4);
     table = other;
-    EXPECT_EQ(table.pieces().cells, other.pieces().cells);
+    EXPECT_EQ(table.view().table.cells, other.view().table.cells);
   }
   EXPECT_EQ(table.law_name(), "uniform");
   EXPECT_NEAR(table.wrench({0.0, 1.0}).moment, 2.0 / 3.0, 1e-15);

@@ -74,11 +74,11 @@ TEST(ExportedHeader, ItsClosestPointIsTheLibrarys) {
         const double gauge = table.gauge({trial.force, trial.moment});
         EXPECT_NEAR(found[i][0], gauge, 4e-15 * std::max(1.0, gauge)) << force << ' ' << moment;
         const auto own = project_on_to_closest_point(table.view(), trial, 0.0);
-        const double kept_force = own.outside && force != 0.0 ? own.force_fraction : 1.0;
-        const double kept_moment = own.outside && moment != 0.0 ? own.moment_fraction : 1.0;
+        const double kept_force = own.exceeds && force != 0.0 ? own.force_fraction : 1.0;
+        const double kept_moment = own.exceeds && moment != 0.0 ? own.moment_fraction : 1.0;
         EXPECT_NEAR(found[i][1], force * kept_force, 2e-13) << force << ' ' << moment << ' ' << chi;
         EXPECT_NEAR(found[i][2], moment * kept_moment, 2e-13) << force << ' ' << moment << ' ' << chi;
-        EXPECT_EQ(own.outside, found[i][1] != force || found[i][2] != moment);
+        EXPECT_EQ(own.exceeds, found[i][1] != force || found[i][2] != moment);
       }
     }
   }

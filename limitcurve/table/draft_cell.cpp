@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/table/piece.hpp"
+#include "limitcurve/table/draft_cell.hpp"
 
 #include "limitcurve/table/bernstein.hpp"
 
@@ -10,8 +10,8 @@
 
 namespace limitcurve::table {
 
-Piece::Piece(const Source& source, bool outside, std::size_t nodes, double left, double right, Extended start,
-             double limit)
+DraftCell::DraftCell(const Source& source, bool outside, std::size_t nodes, double left, double right, Extended start,
+                     double limit)
     : nodes_(nodes), left_(left), right_(right), start_(start) {
   samples_.reserve(2 * most_nodes + 3);
   for (std::size_t i = 0; i < nodes_; ++i) samples_.push_back(source.at(outside, place(2 * i)));
@@ -31,7 +31,7 @@ constexpr std::array<std::array<double, 3>, 4> extrema{{{0.5773502691896258, -1.
 }  // namespace
 
 /// The Chebyshev–Lobatto nodes for even k, points between them for odd k.
-double Piece::place(std::size_t k) const noexcept {
+double DraftCell::place(std::size_t k) const noexcept {
   if (k == 0) return left_;
   const std::size_t last = 2 * (nodes_ - 1);
   if (k == last) return right_;
@@ -39,7 +39,7 @@ double Piece::place(std::size_t k) const noexcept {
   return left_ + (right_ - left_) * (sine * sine);
 }
 
-void Piece::interpolate() {
+void DraftCell::interpolate() {
   std::array<Extended, most_nodes> nodes;
   std::array<Extended, most_nodes> differences;
   for (std::size_t i = 0; i < nodes_; ++i) {
@@ -59,7 +59,7 @@ void Piece::interpolate() {
   }
 }
 
-void Piece::look_between(const Source& source, bool outside, double limit) {
+void DraftCell::look_between(const Source& source, bool outside, double limit) {
   bool within = true;
   const auto look = [&](double x) {
     if (!(within && x > left_ && x < right_)) return;
@@ -101,12 +101,12 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
   }
 }
 
-bool Piece::may_be_straight() const noexcept {
+bool DraftCell::may_be_straight() const noexcept {
   const Extended end = leading_at_end();
   return left_ == 0.0 || std::fabs(end - samples_[0].leading) <= std::numeric_limits<double>::epsilon() / 2 * end;
 }
 
-void Piece::straighten() {
+void DraftCell::straighten() {
   const Extended rise = leading_at_end() - samples_[0].leading;
   coefficients_.fill(0);
   coefficients_[0] = samples_[0].leading;
@@ -114,50 +114,50 @@ void Piece::straighten() {
   coefficients_[1] = std::max<Extended>(rise, 0);
 }
 
-Extended Piece::leading(Extended u) const noexcept {
+Extended DraftCell::leading(Extended u) const noexcept {
   Extended sum = 0;
   for (std::size_t i = most_nodes; i-- > 0;) sum = sum * u + coefficients_[i];
   return sum;
 }
 
-Extended Piece::support(Extended u) const noexcept {
+Extended DraftCell::support(Extended u) const noexcept {
   Extended sum = 0;
   for (std::size_t i = most_nodes; i-- > 0;) sum = sum * u + coefficients_[i] / static_cast<Extended>(i + 1);
   return start_ + width() * u * sum;
 }
 
-Extended Piece::least_growth() const noexcept {
+Extended DraftCell::least_growth() const noexcept {
   std::array<Extended, most_nodes - 1> slope;
   for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = static_cast<Extended>(i + 1) * coefficients_[i + 1];
   return least_bernstein_coefficient(slope);
 }
 
-Extended Piece::error_at(const Sample& exact) const noexcept {
+Extended DraftCell::error_at(const Sample& exact) const noexcept {
   const Extended u = (Extended(exact.x) - left_) / width();
   const Extended slope = leading(u);
   return std::max(std::fabs(slope - exact.leading), std::fabs(support(u) - exact.x * slope - exact.trailing)) +
          exact.error;
 }
 
-Extended Piece::error() const noexcept {
+Extended DraftCell::error() const noexcept {
   Extended worst = 0;
   for (std::size_t i = nodes_; i < samples_.size(); ++i) worst = std::max(worst, error_at(samples_[i]));
   return worst;
 }
 
-bool Piece::stays_convex(Extended rise) const noexcept {
+bool DraftCell::stays_convex(Extended rise) const noexcept {
   // The slope of u(1 − u) is at most 1.
   return std::fabs(6 * rise / width()) <= least_growth();
 }
 
-void Piece::raise_end(Extended rise) noexcept {
+void DraftCell::raise_end(Extended rise) noexcept {
   // u(1 − u) has the integral 1/6.
   const Extended bow = 6 * rise / width();
   coefficients_[1] += bow;
   coefficients_[2] -= bow;
 }
 
-TableCell Piece::cell() const noexcept {
+TableCell DraftCell::finished() const noexcept {
   TableCell result{left_, {}};
   result.coefficients[0] = static_cast<double>(start_);
   Extended scale = 1;

@@ -9,11 +9,12 @@ namespace limitcurve::table {
 
 /// A cell under construction: D′ = Σ lᵢ uⁱ, i < nodes, and its integral D over [left, right], u = (x − left)/(right −
 /// left), in extended precision.
-class Piece {
+class DraftCell {
  public:
   /// Interpolates D′ between `left` and `right` at 3 to 6 `nodes`; `start` is D at the left end. Then samples its
   /// error, until one is above `limit`.
-  Piece(const Source& source, bool outside, std::size_t nodes, double left, double right, Extended start, double limit);
+  DraftCell(const Source& source, bool outside, std::size_t nodes, double left, double right, Extended start,
+            double limit);
 
   /// Whether a chord may replace the interpolation of D′: next to x = 0, where D′ may begin like a root of x, and where
   /// D′ rises by rounding only.
@@ -26,7 +27,7 @@ class Piece {
   [[nodiscard]] Extended width() const noexcept { return Extended(right_) - left_; }
   /// D at its right end.
   [[nodiscard]] Extended end() const noexcept { return support(1); }
-  /// The smallest Bernstein coefficient of dD′/du. If it is ≥ 0, the piece is convex.
+  /// The smallest Bernstein coefficient of dD′/du. If it is ≥ 0, the cell is convex.
   [[nodiscard]] Extended least_growth() const noexcept;
   /// The largest error of both components at the samples between the nodes, the curve's own included.
   [[nodiscard]] Extended error() const noexcept;
@@ -37,12 +38,12 @@ class Piece {
 
   /// Raises D at the right end by `rise`; D′ at both ends stays.
   void raise_end(Extended rise) noexcept;
-  /// Whether the piece would be convex after raise_end(rise).
+  /// Whether the cell would be convex after raise_end(rise).
   [[nodiscard]] bool stays_convex(Extended rise) const noexcept;
   /// Raises D everywhere.
   void raise(Extended rise) noexcept { start_ += rise; }
 
-  [[nodiscard]] TableCell cell() const noexcept;
+  [[nodiscard]] TableCell finished() const noexcept;
 
  private:
   static constexpr std::size_t most_nodes = 6;
