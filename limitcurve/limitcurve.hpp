@@ -37,11 +37,7 @@
 namespace limitcurve {
 
 // 1. Generate.
-
-/// The pressure law of that name, such as `hertz`, `power:n=2.3` or `mix:0.7*hertz+0.3*uniform`; laws.hpp lists all
-/// names and factories.
-Law parse_law(std::string_view text);
-
+// parse_law("power:n=2.3") a pressure law by its name: laws.hpp has all names and factories
 // law->evaluate(s)         reference: unit wrench at s ∈ [0, ∞] with its error bound, at most 1e-14 relative;
 //                          microseconds to half a millisecond
 // Table::build(law, 1e-8)  for control loops: checked_error() ≤ tolerance·max(1, m₀), tolerance 1e-14 to 1e-1;
@@ -51,22 +47,16 @@ Law parse_law(std::string_view text);
 // to_header(table)                                                             C or C++ code: export/header.hpp
 
 // 2. Validate.
-
-// ExactCurve(law)                                the reference
-// Ellipse, box, diamond                          what physics engines use: approximations.hpp
-// curve_error(model, exact)                      how wrong they are: validate.hpp
-
-// choose(law, tolerance)                         which limit curve is good enough: validate/choose.hpp
+// ExactCurve(law)                             the reference
+// Ellipse, box, diamond                       what physics engines use: approximations.hpp
+// curve_error(model, exact)                   how wrong they are: validate/validate.hpp
+// choose(law, tolerance)                      which limit curve is good enough: validate/choose.hpp
 
 // 3. In newtons.
-
-/// The largest friction moment at load P [N], reached in a pure twist: Γ(P) = m₀ μ P a(P) [N m]. RadiusLaw is a(P).
-double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double mu, double load);
-
+// moment_capacity(m₀, radius_law, mu, load)   largest friction moment [N m], of a pure twist: contact/load_curves.hpp
 // p_curve(curve, contact, load, points)       the limit curve at one load [N]: force [N], moment [N m], COR [m]
 // load_to_hold(curve, contact, F, M)          the smallest grip [N] that holds a force and a moment without slip
 // Patch::rectangle(0.02, 0.01).wrench(twist)  contacts that are not round: patch/patch.hpp
-// half_spaces(patch, 32)                      inequalities inside the limit surface, for a planner:
-// patch/half_spaces.hpp
+// half_spaces(patch, 32)                      inequalities in the limit surface, for planners: patch/half_spaces.hpp
 
 }  // namespace limitcurve

@@ -100,9 +100,10 @@ std::string to_header(const Table& table, std::string_view chosen_name, bool is_
   };
   // Words between @ are replaced below.
   std::string text = R"(// Friction limit curve of the pressure law @LAW@, written by limitcurve @VERSION@.
-// |error| of force and moment <= checked_error, compared with the exact curve. Add profile_error if the pressure is known at samples
-// only (0 for a law given by a formula). Checksum @CHECKSUM@
-// C99, C++17 and CUDA; needs no other header. All names begin with the table's, and are local to the file that includes this one.
+// |error| of force and moment <= checked_error, compared with the exact curve. Add profile_error if the
+// pressure is known at samples only (0 for a law given by a formula). Checksum @CHECKSUM@
+// C99, C++17 and CUDA; needs no other header. All names begin with the table's, and are local to the file
+// that includes this one.
 #ifndef @GUARD@
 #define @GUARD@
 
@@ -136,8 +137,9 @@ LIMITCURVE_TABLE_DATA double @NAME@_moment_ratio = @RATIO@;
 /// The wrench at c = a, the centre of rotation on the rim.
 LIMITCURVE_TABLE_DATA @NAME@_friction @NAME@_rim = {@RIM@};
 
-/// The support function D(x) in cells. A row is the x at which a cell begins, then the coefficients of D in powers of the distance from
-/// it. Inside the rim x = c/a, force = D', moment = D - x D'. Outside x = a/c, moment = D', force = D - x D'.
+/// The support function D(x) in cells. A row is the x at which a cell begins, then the coefficients of D
+/// in powers of the distance from it. Inside the rim x = c/a, force = D', moment = D - x D'. Outside x =
+/// a/c, moment = D', force = D - x D'.
 LIMITCURVE_TABLE_DATA double @NAME@_inside[@INSIDE_COUNT@][@COLUMNS@] = @INSIDE@;
 LIMITCURVE_TABLE_DATA double @NAME@_outside[@OUTSIDE_COUNT@][@COLUMNS@] = @OUTSIDE@;
 
@@ -173,8 +175,9 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_jet @NAME@_evaluate(int outside, double x) {
   return jet;
 }
 
-/// The unit wrench of a contact that slides with speed `slide` and turns with rim speed `spin` (a times the angular velocity): magnitudes,
-/// whatever the signs. Only the ratio matters, |slide|/|spin| = c/a; without slip both are 0.
+/// The unit wrench of a contact that slides with speed `slide` and turns with rim speed `spin` (a times
+/// the angular velocity): magnitudes, whatever the signs. Only the ratio matters, |slide|/|spin| = c/a;
+/// without slip both are 0.
 LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_wrench(double slide, double spin) {
   @NAME@_friction found = {0.0, 0.0};
   if (slide < 0.0) slide = -slide;
@@ -187,8 +190,9 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_wrench(double slide, double spi
   return found;
 }
 
-/// The curve's point nearest to a trial, if chi > 0 (closest_point), or on the ray through it, if chi = 0. `gauge` is how many times
-/// farther the trial reaches in the direction of the normal there. Newton's method in a bracket.
+/// The curve's point nearest to a trial, if chi > 0 (closest_point), or on the ray through it, if chi =
+/// 0. `gauge` is how many times farther the trial reaches in the direction of the normal there. Newton's
+/// method in a bracket.
 LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_project(double force, double moment, double chi, double *gauge) {
   const int on_ray = !(chi > 0.0);
   const double far = @FAR@ * (force > moment ? force : moment); /* from afar only the direction counts */
@@ -211,7 +215,8 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_project(double force, double mo
     const double down = on_ray ? jet.leading * trailing : x * over;
     const double slope = on_ray ? jet.second * (trailing + x * leading) : jet.second * (1.0 + kappa * x * x) + over;
     const double rounding = @ROUNDING@ * (on_ray ? up + down : leading + x * kappa * trailing);
-    /* Below its rounding the sign of the residual is chance. A trial below a point of the curve in both components is inside. */
+    /* Below its rounding the sign of the residual is chance. A trial below a point of the curve in both
+       components is inside. */
     if ((up - down <= rounding && down - up <= rounding) || (!on_ray && up <= 0.0 && over <= 0.0)) break;
     if (up > down) {
       low = x;
@@ -227,15 +232,17 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_project(double force, double mo
   return found;
 }
 
-/// Distance of a unit wrench from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Signs are ignored.
+/// Distance of a unit wrench from the origin divided by that of the curve on the same ray: < 1 holds, >
+/// 1 slips. Signs are ignored.
 LIMITCURVE_TABLE_FUNCTION double @NAME@_gauge(double force, double moment) {
   double gauge = (force < 0.0 ? -force : force) + (moment < 0.0 ? -moment : moment);
   if (gauge - gauge == 0.0) @NAME@_project(force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment, 0.0, &gauge);
   return gauge; /* of infinity and NaN they themselves */
 }
 
-/// What a trial, the unit wrench of springs that would stick, becomes: the nearest point of the curve if it slips, else itself. A change of
-/// the moment costs chi = a^2 k_l/k_r, in [1e-3, 1e3], times one of the force. Signs are kept.
+/// What a trial, the unit wrench of springs that would stick, becomes: the nearest point of the curve if
+/// it slips, else itself. A change of the moment costs chi = a^2 k_l/k_r, in [1e-3, 1e3], times one of
+/// the force. Signs are kept.
 LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_closest_point(double force, double moment, double chi) {
   double gauge = 0.0;
   @NAME@_friction found = @NAME@_project(force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment, chi, &gauge);
