@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Outputs of a finger beside force and moment: margin, load to hold, position of the COR; and its state as a value.
-#include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +57,7 @@ TEST(SoftFinger, TellsTheLoadThatHoldsInTheUnitOfTheLoad) {
   int pushes = 0;
   for (int scene = 0; scene < 300; ++scene) {
     const double radius = random.logarithmic(0.002, 0.1);
-    const AnySurface ball(SphereSurface{radius});
+    const AnySurface ball(Ball{radius});
     auto finger = exact_hertz_finger(parameters(random.logarithmic(0.1, 1.5), 0.005, 1000.0, 0.025));
     Eigen::Vector3d way(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0);
     for (int i = 0; i < 60; ++i) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What a host with collisions of its own needs: orientations, a body that moves, materials of the touched object.
-#include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/real_time_guard.hpp"
 
@@ -30,7 +29,7 @@ void expect_same(const FingerOutput& one, const FingerOutput& other) {
 }
 
 TEST(Host, AContactWithAnOrientationIsThePoseOnTheSurface) {
-  const AnySurface ball{SphereSurface(0.03)};
+  const AnySurface ball{Ball{0.03}};
   FingerParameters with = parameters();
   with.damping = 1.0;
   auto of_pose = exact_hertz_finger(with);
@@ -73,7 +72,7 @@ TEST(Host, AnOrientationTurnsTheFingerAboutTheNormalAlone) {
 TEST(Host, ABodyThatMovesIsFeltAsTheSameMotionSeenFromIt) {
   auto seen_from_body = exact_hertz_finger();
   auto in_world = exact_hertz_finger();
-  const AnySurface ball{SphereSurface(0.03)};
+  const AnySurface ball{Ball{0.03}};
   Random random(71);
   std::array<int, 4> seen{};
   for (int i = 0; i < 3000; ++i) {

@@ -26,6 +26,16 @@ inline Contact on_plane(double x, double y, double depth) {
   return {{x, y, 0.0}, Eigen::Vector3d::UnitZ(), depth};
 }
 
+/// A ball about the origin, because the library's curved surfaces are a leaf.
+struct Ball {
+  double radius;
+
+  [[nodiscard]] Contact contact(const Eigen::Vector3d& finger, const ContactMemory& /*memory*/) const noexcept {
+    const double distance = finger.norm();
+    return {finger * (radius / distance), finger / distance, radius - distance};
+  }
+};
+
 inline FingerParameters parameters(double mu = 0.6, double radius = 0.005, double stiffness = 1000.0,
                                    double twist_stiffness = 0.04) {
   FingerParameters result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/body/rigid_body.hpp"
+#include "godobject/surfaces/surfaces.hpp"
 
 #include "godobject/body/grasp.hpp"
 
