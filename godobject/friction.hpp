@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Notation (docs/theory.md):
+//   r, ρ      deflections of the springs if the proxy stayed; r′, ρ′ what friction lets them keep
+//   F, M      friction force k_l r′ and moment k_r ρ′; of the trial: k_l r and k_r ρ
+//   μP, μPa   what the unit limit curve is multiplied by: FrictionLimit::force, and that times FrictionLimit::radius
+//   f̂, m̂     the trial in these units (UnitTrial); f, m: its projection on to the curve (Projected)
+//   χ         a² k_l/k_r: what a change of m costs, in changes of f
+//   last      curve parameter at which a search starts: 0 to 1 inside the rim, 1 to 2 outside
+//   sticking  the limit with μ, of a contact at rest; sliding: the limit with μ_d
+
 #include "projection.hpp"
 
 #include <limits>

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: MIT
+// Notation:
+//   (x, y)(t)  the unit curve and its parameter t, 0 at pure sliding, 1 at pure spin
+//   scale      (μ P/σ_F, μ_r P (P/P₀)^γ/σ_M): the curve of a sample in the plane of its errors is q = scale·(x, y)
+//   at         the sample in that plane, (|F|/σ_F, |M|/σ_M)
+//   N          outward unit normal at the closest point of q; the residual is (at − q)·N
+//   drift      the residual that errors cause on average where q is curved
+//   parameters log μ, log μ_r, the shape if it is fitted, γ if it is fitted
 #include "fit/internal/contact_residuals.hpp"
 
 #include <boost/math/tools/minima.hpp>

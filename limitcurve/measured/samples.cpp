@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: MIT
+// Notation:
+//   ρ, g(ρ)    radius over rim, and pressure of load 1, ∫ 2ρ g dρ = 1: a cubic from sample to sample (Piece)
+//   run        the samples between two jumps of the pressure
+//   g′         the same through fewer samples (`coarser`), from which the error is estimated
+//   Λ, Λ′      the load within ρ of g and of g′
+//   δⱼ         change of the load of the gap j between samples, from g to g′
+//   Dᵢ         bound on |Λ − Λ′| in the cell i between the radii `edges_`: `differences_`
+//   K_f, K_m   force and moment of a ring of load 1 at ρ
 #include "limitcurve/measured/samples.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/measured/cubic_pieces.hpp"

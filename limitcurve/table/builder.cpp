@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: MIT
+// Notation (docs/theory.md, tables):
+//   x          s = c/a inside the rim, 1/s outside: both sides run from 0 to the rim at 1
+//   D          the support function of a side; its leading component is D′, its trailing one D − xD′
+//   u          (x − left)/(right − left), the place in a cell
+//   p, d       2^p buckets in each octave of 1 − x + 2^−d (Buckets)
+//   edge       the x where a bucket ends; a cell begins at an edge, unless it is part of a bucket
+//   target     error that a cell may have, so that the table's checked error stays within its tolerance
 #include "limitcurve/table/builder.hpp"
 
 #include "limitcurve/table/buckets.hpp"
