@@ -16,7 +16,7 @@
 
 /// The friction limit curve of a soft finger, for any axisymmetric pressure: how much force and moment a sliding,
 /// twisting contact carries. Start here. Patches (patch/), engines (engines/, tangent_ellipse.hpp) and `hold_error`
-/// (contact/) have headers of their own.
+/// (measured/) have headers of their own.
 ///
 /// ```cpp
 /// #include "limitcurve/limitcurve.hpp"

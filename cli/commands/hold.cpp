@@ -5,9 +5,9 @@
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/unit_checks.hpp"
 
-#include "limitcurve/contact/hold_error.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/measured/hold_error.hpp"
 #include "limitcurve/patch/patch.hpp"
 #include "limitcurve/table.hpp"
 

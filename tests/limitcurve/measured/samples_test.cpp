@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/measured/samples.hpp"
 #include "limitcurve/accuracy.hpp"
-#include "limitcurve/contact/hold_error.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/measured/hold_error.hpp"
 #include "limitcurve/measured/own_radii.hpp"
 #include "limitcurve/table.hpp"
 #include "limitcurve/table_file.hpp"

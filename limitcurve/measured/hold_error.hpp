@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../contact/contact_friction.hpp"
 #include "../pressure_law.hpp"
-#include "contact_friction.hpp"
 
 #include <cmath>
 
