@@ -158,43 +158,6 @@ inline Diamond diamond(double force_max, double moment_max) {
   return Diamond({UnitWrench{force_max, 0.0}, UnitWrench{0.0, moment_max}});
 }
 
-/// The first-order Padé model of multibody mechanics (Zhuravlev, J. Appl. Math. Mech. 62:705, 1998) gives the wrench of
-/// a slip twist: f = s/(s + σ_f), m = m₀σ_m/(s + σ_m). `pade_model` (validate.hpp) makes it from a curve: exact at both
-/// ends, and in the slope of the force at a pure spin and of the moment at a pure slide. In between it is up to 42 %
-/// too weak for Hertz (34 % of μP in f, 39 % of m₀ in m). Not a LimitCurve: its twist is not the normal, so it does not
-/// obey maximum dissipation.
-class PadeModel {
- public:
-  /// σ_f, σ_m: the COR distances c/a at which force and moment are half their largest. Positive; not checked.
-  PadeModel(double force_cor, double moment_cor, double moment_ratio)
-      : force_cor_(force_cor), moment_cor_(moment_cor), moment_ratio_(moment_ratio) {}
-
-  [[nodiscard]] double force_cor() const noexcept { return force_cor_; }
-  [[nodiscard]] double moment_cor() const noexcept { return moment_cor_; }
-  [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
-
-  /// The wrench of a slip twist ≥ 0.
-  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
-    return {twist.slide / (twist.slide + force_cor_ * twist.spin),
-            moment_ratio_ * moment_cor_ * twist.spin / (twist.slide + moment_cor_ * twist.spin)};
-  }
-
-  /// The model's wrench on the ray through `direction` ≥ 0, and, instead of a normal, the slip twist that causes it.
-  [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
-    // m s² + σ_m(m − m₀f) s − m₀σ_mσ_f f = 0, without cancellation.
-    const double half = 0.5 * moment_cor_ * (direction.moment - moment_ratio_ * direction.force);
-    const double product = moment_ratio_ * moment_cor_ * force_cor_ * direction.force;
-    const double root = std::sqrt(half * half + direction.moment * product);
-    const SlipTwist twist = half < 0.0 ? SlipTwist{root - half, direction.moment} : SlipTwist{product, root + half};
-    return {wrench(twist), twist};
-  }
-
- private:
-  double force_cor_;
-  double moment_cor_;
-  double moment_ratio_;
-};
-
 static_assert(LimitCurve<Box>);
 static_assert(LimitCurve<Diamond>);
 
