@@ -88,11 +88,11 @@ struct LawSelection {
   std::vector<double> aic_difference;
 };
 
-/// Fits every law of `law_examples` that has no parameter, gaussian:sigma=1 (its radius is σ) and the two families. The
-/// report of the best warns of every candidate that the data cannot distinguish from it. Its standard errors cover the
-/// noise, the choice of law, with Akaike's weights exp(−AIC/2) of the candidates' values, and, where the samples do
-/// not scatter evenly about the best curve, what a law that is none of these may be off by; for a mixture of two laws
-/// that is found with 100 slips of 2 % noise.
+/// Fits every law of `law_examples` that has no parameter and a finite pressure at its centre, gaussian:sigma=1 (its
+/// radius is σ) and the two families. The report of the best warns of every candidate that the data cannot distinguish
+/// from it. Its standard errors cover the noise, the choice of law, with Akaike's weights exp(−AIC/2) of the
+/// candidates' values, and, where the samples do not scatter evenly about the best curve, what a law that is none of
+/// these may be off by; for a mixture of two laws that is found with 100 slips of 2 % noise.
 LawSelection select_law(std::span<const Sample> samples, const ContactFitOptions& options = {});
 
 /// The contact radius that a moment-to-force ratio μ_r/μ implies under a law, a = ratio/m₀ [m].
