@@ -5,7 +5,7 @@
 
 #include "godobject/batch/batch.hpp"
 #include "godobject/soft_finger.hpp"
-#include "limitcurve/patch/patch.hpp"
+#include "limitcurve/patch/patch_table.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table.hpp"
 
@@ -36,6 +36,8 @@ struct limitcurve_batch {
 
 struct limitcurve_patch {
   limitcurve::Patch patch;
+  std::optional<limitcurve::PatchTable> table = {};  ///< if it is one
+  std::string csv = {};
 };
 
 namespace limitcurve::c {

@@ -434,6 +434,20 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_image_spaced(const double* pre
 LIMITCURVE_API limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my,
                                                               limitcurve_patch** result);
 
+/* The patch as a table, whose wrench costs 30 ns whatever its shape: for a loop on a large image. The error of force
+ * and moment is at most `tolerance`, in [1e-5, 0.1], in units of mu P and of the largest moment. LIMITCURVE_INVALID if
+ * no table of 2 MiB has it; limitcurve_error() then names the finest tolerance. Up to seconds. */
+LIMITCURVE_API limitcurve_status limitcurve_patch_table(const limitcurve_patch* patch, double tolerance,
+                                                        limitcurve_patch** result);
+/* Reads a table from `limitcurve table --patch P -o FILE.csv` or limitcurve_patch_csv. Error messages call the text
+ * `source`. */
+LIMITCURVE_API limitcurve_status limitcurve_patch_read_csv(const char* text, size_t length, const char* source,
+                                                           limitcurve_patch** patch);
+/* The table as CSV. NULL for a patch that is not a table, or without memory. */
+LIMITCURVE_API const char* limitcurve_patch_csv(const limitcurve_patch* patch);
+/* Bound on the error of a table against its patch; 0 for a patch that is not a table. */
+LIMITCURVE_API limitcurve_status limitcurve_patch_checked_error(const limitcurve_patch* patch, double* error);
+
 LIMITCURVE_API void limitcurve_patch_free(limitcurve_patch* patch);
 
 /* The wrenches (fx, fy, moment) that keep the patch sliding with `count` twists (vx, vy, omega) [m/s, rad/s] about the

@@ -56,6 +56,38 @@ limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, do
   return make_handle(result, [&] { return limitcurve_patch{patch->patch.orthotropic(mx, my)}; });
 }
 
+namespace {
+
+limitcurve_patch handle_of(const PatchTable& table) {
+  return {table, table, to_csv(table)};
+}
+
+}  // namespace
+
+limitcurve_status limitcurve_patch_table(const limitcurve_patch* patch, double tolerance, limitcurve_patch** result) {
+  if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
+  return make_handle(result, [&] { return handle_of(PatchTable::build(patch->patch, tolerance)); });
+}
+
+limitcurve_status limitcurve_patch_read_csv(const char* text, size_t length, const char* source,
+                                            limitcurve_patch** patch) {
+  if (is_missing("text", text) || is_missing("source", source)) return LIMITCURVE_INVALID;
+  return make_handle(patch, [&] { return handle_of(read_patch_table_csv(std::string_view(text, length), source)); });
+}
+
+const char* limitcurve_patch_csv(const limitcurve_patch* patch) {
+  if (is_no_handle("patch", patch)) return nullptr;
+  if (patch->table) return patch->csv.c_str();
+  refuse("patch", "not a table: make one with limitcurve_patch_table");
+  return nullptr;
+}
+
+limitcurve_status limitcurve_patch_checked_error(const limitcurve_patch* patch, double* error) {
+  if (is_no_handle("patch", patch) || is_missing("error", error)) return LIMITCURVE_INVALID;
+  *error = patch->table ? patch->table->checked_error() : 0.0;
+  return LIMITCURVE_OK;
+}
+
 void limitcurve_patch_free(limitcurve_patch* patch) {
   free_handle(patch);
 }

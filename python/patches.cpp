@@ -2,6 +2,9 @@
 #include "python/core.hpp"
 #include "python/parameters.hpp"
 
+#include "cli/io/output_file.hpp"
+#include "cli/io/table_reader.hpp"
+#include "cli/io/table_writer.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/patch/half_spaces.hpp"
 
@@ -13,6 +16,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -178,6 +182,84 @@ PyPatch patch_of(const PatchState& state) {
   return patch;
 }
 
+/// A table of a patch, which is a patch.
+struct PyPatchTable : PyPatch {
+  explicit PyPatchTable(PatchTable table)
+      : PyPatch(cli::PatchArgument{.kind = "table", .text = table.name(), .table = std::move(table)}) {}
+  [[nodiscard]] const PatchTable& table() const { return *made_of.table; }
+};
+
+void add_patch_tables(nb::module_& module) {
+  nb::class_<PyPatchTable, PyPatch> type(
+      module, "PatchTable",
+      "The limit surface of any patch as a table with a checked error: a Patch whose wrench costs the same whatever "
+      "its\n"
+      "shape. Use it where a loop has a large image, or an ellipse of a law without closed form.\n\n"
+      ">>> import limitcurve as lc\n"
+      ">>> table = lc.PatchTable('ellipse:law=cone,a=0.004,b=0.002', tolerance=1e-3)\n"
+      ">>> table.checked_error <= 1e-3, table.nbytes <= 2**21\n"
+      "(True, True)\n");
+  copies_are_itself(type);
+  using State = std::tuple<std::string, int, std::vector<double>, nb::bytes>;
+  type.def("__getstate__",
+           [](const PyPatchTable& self) -> State {
+             const PatchTableContents contents = self.table().contents();
+             std::vector<double> numbers;
+             for (const auto& [name, number] : numbers_of(contents)) numbers.push_back(*number);
+             return {contents.name, contents.cells, numbers,
+                     nb::bytes(contents.nodes.data(), contents.nodes.size() * sizeof(PatchTableContents::Node))};
+           })
+      .def("__setstate__", [](PyPatchTable& self, const State& state) {
+        const auto& [name, cells, numbers, nodes] = state;
+        PatchTableContents contents;
+        contents.name = name;
+        contents.cells = cells;
+        std::size_t i = 0;
+        for (const auto& [key, number] : numbers_of(contents)) *number = numbers.at(i++);
+        contents.nodes.resize(nodes.size() / sizeof(PatchTableContents::Node));
+        std::memcpy(contents.nodes.data(), nodes.data(), nodes.size());
+        new (&self) PyPatchTable(PatchTable(std::move(contents)));
+      });
+  define<PyPatchTable*>(
+      type, "def __init__(self, patch: str | Patch, tolerance: float = 0.001) -> None",
+      [](PyPatchTable* self, const BoundArguments& given) {
+        const PyPatch patch = nb::isinstance<PyPatch>(given[0]) ? nb::cast<const PyPatch&>(given[0])
+                                                                : asked(cli::parse_patch(string_of(given[0], "patch")));
+        const double tolerance = number_of(given[1], "tolerance", PatchTable::default_tolerance);
+        new (self) PyPatchTable(PatchTable::build(patch, tolerance, patch.words()));
+      },
+      "The smallest table with an error of at most `tolerance`, in [1e-5, 0.1], of the force in units of mu P, and of "
+      "the moment\n"
+      "in units of the largest one. Up to seconds. ValueError names the finest tolerance that 2 MiB allow.");
+  define_static(
+      type, "def load(path: str | os.PathLike[str]) -> PatchTable",
+      [](const BoundArguments& given) { return PyPatchTable(cli::read_patch_table(path_of(given[0]))); },
+      "Reads a .csv or .json file that `save` or `limitcurve table --patch` wrote.");
+  define<const PyPatchTable&>(
+      type, "def save(self, path: str | os.PathLike[str]) -> None",
+      [](const PyPatchTable& self, const BoundArguments& given) {
+        const std::string file = path_of(given[0]);
+        const cli::PatchTableWriter text_of = cli::patch_table_writer(file, "path");
+        const nb::gil_scoped_release release;  // the reader of a pipe may be another thread
+        cli::AtomicFile output(file);
+        output.output().write(text_of(self.table()));
+        output.commit();
+      },
+      "Writes the whole table or nothing; the extension selects .csv or .json.");
+  type.def("__repr__",
+           [](const PyPatchTable& self) {
+             return "<PatchTable of " + self.words() + ", error <= " + format_number(self.table().checked_error()) +
+                    ">";
+           })
+      .def_prop_ro(
+          "checked_error", [](const PyPatchTable& self) { return self.table().checked_error(); },
+          "Bound on the error of force and moment against the patch, whose own error `wrench` adds.")
+      .def_prop_ro(
+          "tolerance", [](const PyPatchTable& self) { return self.table().tolerance(); }, "Requested tolerance.")
+      .def_prop_ro(
+          "nbytes", [](const PyPatchTable& self) { return self.table().bytes(); }, "Memory of the table.");
+}
+
 }  // namespace
 
 std::string PyPatch::words() const {
@@ -308,6 +390,7 @@ void add_patches(nb::module_& module) {
       .def_prop_ro(
           "centre", [](const PyPatch& self) { return nb::make_tuple(self.centre().x, self.centre().y); },
           nb::sig("def centre(self) -> tuple[float, float]"), "Centre of pressure [m].");
+  add_patch_tables(module);
 }
 
 }  // namespace limitcurve::python

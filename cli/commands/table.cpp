@@ -3,6 +3,7 @@
 
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/output_file.hpp"
+#include "cli/io/patch_argument.hpp"
 #include "cli/io/table_writer.hpp"
 
 #include "limitcurve/export/header.hpp"
@@ -25,6 +26,13 @@ class Table final : public Subcommand {
         "table", "Writes a lookup table of the limit curve with a checked error",
         "The name of the file selects its format: .csv, .json, .h (C99) or .hpp (constexpr C++17, no dependencies).\n"
         "Without --name the names in a header hold the law and the checksum, so that each table has its own.\n"
+        "With --patch the table is of a contact that is not round. Its wrench then costs the same whatever its shape. "
+        "You "
+        "can pass\n"
+        "the file as --patch table:FILE.csv or .json. Columns: patch,tolerance,checked_error,bytes. checked_error is "
+        "an "
+        "upper bound\n"
+        "on the error of the force, in units of mu P, and of the moment, in units of the largest one.\n"
         "Columns: law; tolerance; checked_error, an upper bound on the absolute error of force and moment in unit "
         "wrenches;\n"
         "nodes, the number of cells in the table; bytes that a look-up may touch; profile_error, the error "
@@ -34,10 +42,11 @@ class Table final : public Subcommand {
   }
 
   void declare(Options& options) override {
-    options.law(law_);
+    options.law(law_, Presence::optional);
+    options.text("--patch", patch_, "PATCH", "Instead of --law: a pressure patch (see 'limitcurve patch')");
     options.number("--tolerance", tolerance_, positive,
                    "Largest error of force and moment, in unit wrenches, over m0 if that is above 1 (default 1e-8; of "
-                   "float 1e-6)");
+                   "float 1e-6; of a patch 1e-3)");
     options.text("-o,--output", file_, "FILE", "File to write", Presence::required);
     options.count("--preferred-bytes", bytes_, 0, limitcurve::Table::max_bytes,
                   "Memory that a look-up should touch: the cells get the lowest degree, 3 to 5, that fits, which "
@@ -48,6 +57,8 @@ class Table final : public Subcommand {
   }
 
   void run(const Results& results) override {
+    if ((law_ == nullptr) == patch_.empty()) throw std::invalid_argument("expected one of --law and --patch");
+    if (!patch_.empty()) return of_patch(results);
     results.messages->say(law_->remarks());
     const double tolerance =
         tolerance_.value_or(is_single_ ? FloatTable::default_tolerance : limitcurve::Table::default_tolerance);
@@ -57,7 +68,8 @@ class Table final : public Subcommand {
     if (is_single_ && !(tolerance >= finest))
       throw out_of_range("--tolerance", tolerance, "1", format_number(finest) + " or more with --real float");
     const double of_table = is_single_ ? std::max(0.1 * tolerance, tolerance - 0.9 * finest) : tolerance;
-    const auto table = limitcurve::Table::build(law_, of_table, {.preferred_bytes = bytes_});
+    const auto table =
+        limitcurve::Table::build(law_, of_table, {.preferred_bytes = bytes_.value_or(TableOptions{}.preferred_bytes)});
     const double error = is_single_ ? single_precision_error(table) : table.checked_error();
     if (const double least = error / std::max(1.0, table.moment_ratio()); is_single_ && least > tolerance) {
       throw std::runtime_error("table of " + table.law_name() + " in single precision: expected a tolerance of " +
@@ -73,9 +85,24 @@ class Table final : public Subcommand {
   }
 
  private:
+  void of_patch(const Results& results) const {
+    const Patch patch = read_patch(patch_, *results.messages);
+    if (bytes_ || !name_.empty() || is_single_)
+      throw std::invalid_argument("--preferred-bytes, --name, --real: not with --patch, whose tables have one form");
+    const PatchTableWriter text_of = patch_table_writer(file_, "--output");
+    const auto table = PatchTable::build(patch, tolerance_.value_or(PatchTable::default_tolerance), patch_);
+    AtomicFile file(file_);
+    file.output().write(text_of(table));
+    file.commit();
+    Rows rows(results, {"patch", "tolerance", "checked_error", "bytes"});
+    rows.row(patch_, table.tolerance(), table.checked_error(), table.bytes());
+    rows.finish();
+  }
+
   Law law_;
+  std::string patch_;
   std::optional<double> tolerance_;
-  std::size_t bytes_ = TableOptions{}.preferred_bytes;
+  std::optional<std::size_t> bytes_;
   std::string file_;
   std::string name_;
   bool is_single_ = false;

@@ -5,6 +5,7 @@
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/descriptor.hpp"
 #include "cli/io/law_argument.hpp"
+#include "cli/io/table_reader.hpp"
 #include "cli/io/unit_checks.hpp"
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -26,8 +27,7 @@ namespace {
 
 constexpr std::string_view expected_kinds =
     "expected points:FILE.csv, polygon:FILE.csv, rectangle:x=…,y=…, ellipse:law=…,a=…,b=… or image:FILE.csv,pixel=…, "
-    "each with "
-    "[,mx=…,my=…]";
+    "each with [,mx=…,my=…], or table:FILE";
 
 std::vector<KeyValue> with_factors(std::vector<KeyValue> keys, PatchArgument& patch) {
   keys.push_back(number_key("mx", patch.mx, positive, false));
@@ -37,8 +37,9 @@ std::vector<KeyValue> with_factors(std::vector<KeyValue> keys, PatchArgument& pa
 
 /// Throws for a patch of an unknown kind, or without a colon; `after` follows the word that was meant.
 [[noreturn]] void refuse_kind(std::string_view kind, std::string_view after) {
-  throw std::invalid_argument(std::string(expected_kinds) +
-                              did_you_mean(kind, {"points", "polygon", "rectangle", "ellipse", "image"}, after));
+  throw std::invalid_argument(
+      std::string(expected_kinds) +
+      did_you_mean(kind, {"points", "polygon", "rectangle", "ellipse", "image", "table"}, after));
 }
 
 /// Calls `work`, whose errors get a prefix.
@@ -264,6 +265,9 @@ PatchArgument parse(std::string_view kind, std::string_view rest) {
                                        patch));
     if (rim > 0.0) patch.law += ",rim=" + format_number(rim);
     with_prefix("'law' in '" + std::string(rest) + "': ", [&] { return read_law(patch.law, patch.profile); });
+  } else if (kind == "table") {
+    patch.file = rest;
+    patch.table = read_patch_table(patch.file);
   } else {
     refuse_kind(kind, ':' + std::string(rest));
   }
@@ -280,6 +284,7 @@ Patch PatchArgument::patch() const {
   const auto row = [this](std::size_t i) { return numbers.data() + i * columns; };
   const std::size_t rows = columns == 0 ? 0 : numbers.size() / columns;
   const auto made = [&]() -> Patch {
+    if (table) return *table;
     if (kind == "rectangle") return Patch::rectangle(x, y);
     if (kind == "ellipse") return Patch::ellipse(law_of(law, profile), x, y);
     if (kind == "image") return Patch::image(numbers, columns, x, y, floor);
@@ -331,6 +336,7 @@ std::vector<std::string> PatchArgument::remarks(const Patch& made) const {
 }
 
 double PatchArgument::across() const {
+  if (table) return 2.0 * table->radius();
   if (kind == "rectangle") return std::max(x, y);
   if (kind == "ellipse") return 2.0 * std::max(x, y);
   const std::size_t rows = columns == 0 ? 0 : numbers.size() / columns;

@@ -6,7 +6,7 @@
 
 #include "limitcurve/laws.hpp"
 #include "limitcurve/measured/samples.hpp"
-#include "limitcurve/patch/patch.hpp"
+#include "limitcurve/patch/patch_table.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -18,7 +18,7 @@ namespace limitcurve::cli {
 
 /// All that makes a patch, the numbers of its file among them.
 struct PatchArgument {
-  std::string kind;                  ///< points, polygon, rectangle, ellipse or image
+  std::string kind;                  ///< points, polygon, rectangle, ellipse, image or table
   std::string text = {};             ///< as it was given, for messages; empty for arrays
   std::string file = {};             ///< likewise
   std::vector<double> numbers = {};  ///< row by row
@@ -31,8 +31,9 @@ struct PatchArgument {
   std::vector<PressureSample> profile = {};
   double mx = 1.0;
   double my = 1.0;
-  std::optional<double> floor = {};     ///< of an image: see Patch::image
-  std::vector<std::string> notes = {};  ///< on its file
+  std::optional<PatchTable> table = {};  ///< that was read or made
+  std::optional<double> floor = {};      ///< of an image: see Patch::image
+  std::vector<std::string> notes = {};   ///< on its file
 
   /// Throws std::invalid_argument with text, file and the place of the error in it.
   [[nodiscard]] Patch patch() const;
@@ -64,7 +65,8 @@ class MemoryPatch : public MemoryColumns {
 /// is the size `32,32`, each row of an image is a frame, flattened; `frame=2` says which of the frames. `skip=1` leaves
 /// out the first field of each row, a time; rows of text before the numbers are skipped. Negative pressures are noise;
 /// `floor=P` says up to which pressure. An image may be an ASCII file of Tekscan's, whose header has the sides of a
-/// pixel. Throws std::invalid_argument with the place of the error in the text or in the file.
+/// pixel. `table:FILE` is a table that `limitcurve table --patch` wrote. Throws std::invalid_argument with the place of
+/// the error in the text or in the file.
 PatchArgument parse_patch(const std::string& text);
 /// The patch itself; says its remarks.
 Patch read_patch(const std::string& text, Messages& messages);

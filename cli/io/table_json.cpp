@@ -18,8 +18,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* expected_format = "limitcurve table 2";
-
 std::string quoted(std::string_view name) {
   std::string text(1, '"');
   return text.append(name).append(1, '"');
@@ -75,9 +73,8 @@ int whole_number(const json& whole, const char* name, const std::string& source)
   return static_cast<int>(value);
 }
 
-}  // namespace
-
-limitcurve::Table read_table_json(std::string_view text, const std::string& source) {
+/// The object of that format.
+json parsed(std::string_view text, const std::string& source, const char* expected_format) {
   json whole;
   try {
     whole = json::parse(text);
@@ -89,6 +86,35 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
   const json format = whole.is_object() ? whole.value("format", json()) : json();
   if (format != expected_format)
     fail(source, "not a table: expected an object with \"format\": " + quoted(expected_format));
+  return whole;
+}
+
+}  // namespace
+
+PatchTable read_patch_table_json(std::string_view text, const std::string& source) {
+  const json whole = parsed(text, source, "limitcurve patch table 1");
+  const auto text_of = [&](const char* name) {
+    return member(whole, name, &json::is_string, source, "a text").get<std::string>();
+  };
+  PatchTableContents contents;
+  contents.name = text_of("patch");
+  for (const auto& [name, number] : numbers_of(contents))
+    *number = member(whole, name, &json::is_number, source, "a number").get<double>();
+  contents.cells = whole_number(whole, "cells", source);
+  for (const json& row : member(whole, "nodes", &json::is_array, source, "an array of rows")) {
+    const bool fits = row.is_array() && row.size() == 7 &&
+                      std::all_of(row.begin(), row.end(), [](const json& x) { return x.is_number(); });
+    if (!fits)
+      fail(source, "\"nodes\", row " + std::to_string(contents.nodes.size() + 1) + ": got " + shown(row) +
+                       ", expected [face, i, j, power, di, dj, didj]");
+    const auto numbers = row.get<std::array<double, 7>>();
+    contents.nodes.push_back({numbers[3], numbers[4], numbers[5], numbers[6]});
+  }
+  return patch_table_of(std::move(contents), text_of("checksum"), source);
+}
+
+limitcurve::Table read_table_json(std::string_view text, const std::string& source) {
+  const json whole = parsed(text, source, "limitcurve table 2");
   const auto text_of = [&](const char* name) {
     return member(whole, name, &json::is_string, source, "a text").get<std::string>();
   };

@@ -34,9 +34,9 @@ std::string read_whole(const std::string& file) {
   return text;
 }
 
-}  // namespace
-
-limitcurve::Table read_table(const std::string& file) {
+/// Calls `of_csv` or `of_json`, as the name of the file says, with its text.
+template <class Csv, class Json>
+auto read_as(const std::string& file, const Csv& of_csv, const Json& of_json) {
   const std::string extension = std::filesystem::path(file).extension().string();
   if (extension != ".csv" && extension != ".json") {
     throw std::invalid_argument("got '" + file + "', expected a name that ends in .csv or .json");
@@ -44,7 +44,17 @@ limitcurve::Table read_table(const std::string& file) {
   const std::string whole = read_whole(file);
   // Some spreadsheets and editors write a byte order mark.
   const std::string_view text = std::string_view(whole).substr(whole.starts_with("\xEF\xBB\xBF") ? 3 : 0);
-  return extension == ".csv" ? read_table_csv(text, file) : read_table_json(text, file);
+  return extension == ".csv" ? of_csv(text, file) : of_json(text, file);
+}
+
+}  // namespace
+
+limitcurve::Table read_table(const std::string& file) {
+  return read_as(file, read_table_csv, read_table_json);
+}
+
+PatchTable read_patch_table(const std::string& file) {
+  return read_as(file, read_patch_table_csv, read_patch_table_json);
 }
 
 }  // namespace limitcurve::cli

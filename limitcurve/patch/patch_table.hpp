@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace limitcurve {
@@ -31,6 +32,20 @@ struct PatchTableContents {
   std::vector<Node> nodes;
 };
 
+/// The facts that are numbers, with the names that files give them, in their order there.
+template <class Contents>
+auto numbers_of(Contents& of) {
+  return std::array{std::pair("tolerance", &of.tolerance),
+                    std::pair("checked_error", &of.checked_error),
+                    std::pair("own_error", &of.own_error),
+                    std::pair("centre_x", &of.centre.x),
+                    std::pair("centre_y", &of.centre.y),
+                    std::pair("radius", &of.radius),
+                    std::pair("moment_ratio", &of.moment_ratio),
+                    std::pair("mx", &of.factors.x),
+                    std::pair("my", &of.factors.y)};
+}
+
 /// The limit surface of any patch as a table. A wrench costs 30 ns whatever the shape of the patch, so that a loop of
 /// 1 kHz can use a tactile image of any size, or an ellipse of a law without closed form. Everything that takes a Patch
 /// takes a table. Copies share the table, and so may threads.
@@ -45,7 +60,8 @@ class PatchTable : public Patch {
   /// `most_bytes` is: where the load is at points, on a line or beside the corners of a slim pad, the wrench changes
   /// too fast. The message has the error of the finest. Cost: 7 000 to 2 million wrenches of the patch. Calls
   /// `between_samples` (interruption.hpp). `name` is that of the patch, in files and messages.
-  static PatchTable build(const Patch& patch, double tolerance = 1e-3, std::string_view name = "patch");
+  static PatchTable build(const Patch& patch, double tolerance = default_tolerance, std::string_view name = "patch");
+  static constexpr double default_tolerance = 1e-3;
   static constexpr std::size_t most_bytes = std::size_t{2} << 20U;
 
   /// The table that has these contents. Throws std::invalid_argument if they cannot be those of a table.

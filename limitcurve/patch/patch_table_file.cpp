@@ -21,20 +21,6 @@ constexpr std::string_view legend =
     "of\n"
     "# vx, vy, moment_ratio*omega, cyclic. di, dj, didj: derivatives by i, by j, by both. A cell is bicubic.\n";
 
-/// The facts that are numbers, in the order of a file.
-template <class Contents>
-auto numbers_of(Contents& of) {
-  return std::array{std::pair("tolerance", &of.tolerance),
-                    std::pair("checked_error", &of.checked_error),
-                    std::pair("own_error", &of.own_error),
-                    std::pair("centre_x", &of.centre.x),
-                    std::pair("centre_y", &of.centre.y),
-                    std::pair("radius", &of.radius),
-                    std::pair("moment_ratio", &of.moment_ratio),
-                    std::pair("mx", &of.factors.x),
-                    std::pair("my", &of.factors.y)};
-}
-
 /// Calls `row` with face, i, j and the node, for all in order.
 template <class Row>
 void for_each_node(const PatchTableContents& contents, const Row& row) {

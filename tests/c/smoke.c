@@ -136,6 +136,20 @@ static void fingers(void) {
   CHECK(limitcurve_patch_wrench(patch, turning, 1, of_rectangle, NULL, NULL) == LIMITCURVE_OK);
   CHECK(image_bound < 0.01 && fabs(of_image[1] - of_rectangle[1]) <= image_bound);
   limitcurve_patch_free(image);
+  limitcurve_patch* patch_table = NULL;
+  limitcurve_patch* read_again = NULL;
+  double of_table[3];
+  double table_error = 0;
+  CHECK(limitcurve_patch_table(patch, 1e-2, &patch_table) == LIMITCURVE_OK);
+  CHECK(limitcurve_patch_checked_error(patch_table, &table_error) == LIMITCURVE_OK && table_error <= 1e-2);
+  CHECK(limitcurve_patch_wrench(patch_table, turning, 1, of_table, NULL, NULL) == LIMITCURVE_OK);
+  CHECK(fabs(of_table[0] - of_rectangle[0]) <= table_error);
+  const char* const patch_csv = limitcurve_patch_csv(patch_table);
+  CHECK(limitcurve_patch_read_csv(patch_csv, strlen(patch_csv), "t.csv", &read_again) == LIMITCURVE_OK);
+  CHECK(strcmp(limitcurve_patch_csv(read_again), patch_csv) == 0 && limitcurve_patch_csv(patch) == NULL);
+  CHECK(limitcurve_patch_table(patch, 1e-9, &image) == LIMITCURVE_INVALID);
+  limitcurve_patch_free(read_again);
+  limitcurve_patch_free(patch_table);
   CHECK(limitcurve_patch_image_spaced(pixels, 2, 2, 0.01, -0.005, &image) == LIMITCURVE_INVALID);
   /* What slips at a load of 5 N is held by 5 N; here mu = 0.5. */
   double needed[2] = {0, 0};
