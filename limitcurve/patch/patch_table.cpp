@@ -108,7 +108,9 @@ class Grid {
   }
 
   [[nodiscard]] std::vector<Node> nodes() && {
-    for (Node& node : nodes_) node = {node[0], node[1] * step(), node[2] * step(), node[3] * step() * step()};
+    // + 0: no -0, which JSON reads as a whole number without a sign.
+    for (Node& node : nodes_)
+      node = {node[0], node[1] * step() + 0.0, node[2] * step() + 0.0, node[3] * step() * step() + 0.0};
     return std::move(nodes_);
   }
   [[nodiscard]] double own_error() const noexcept { return own_error_; }
@@ -437,11 +439,10 @@ PatchTable PatchTable::build(const Patch& patch, double tolerance, std::string_v
     if (n >= large) finest = std::min(finest, found);
   }
   constexpr double rounding = 1.006;  // to three digits
-  throw out_of_range(
-      "tolerance", tolerance, "1",
-      "for " + contents.name +
-          (finest <= most ? " " + format_number(rounding * finest, 3) + " or more" : ", which has kinks, no table") +
-          ": use the patch itself, or `smoothed` points");
+  throw out_of_range("tolerance", tolerance, "1",
+                     finest <= most ? format_number(rounding * finest, 3) + " or more for " + contents.name +
+                                          " in 2 MiB, or use the patch itself"
+                                    : "a patch without kinks. Use " + contents.name + " itself, not a table");
 }
 
 const std::string& PatchTable::name() const noexcept {

@@ -37,6 +37,7 @@ def test_laws_and_curves(way, tmp_path):
         lc.Law.samples([0, 1, 2, 3], [3, 2, 1, 0]),
         lc.Table("hertz", 1e-8),
         lc.Table(measured, 1e-3),
+        lc.PatchTable("rectangle:x=0.02,y=0.01,mx=0.5", 1e-2),
         lc.ellipse(1, 0.6),
         lc.box(1, 0.5)
     ]

@@ -47,6 +47,35 @@ class Patch(PatchCase):
                             ("columns=1.5", "whole number"), ("frame=1", "only with columns=N")):
             self.refused(f"image:{log},pixel=0.002,{wrong}", told)
 
+    def test_tables(self):
+        """The door: a file of either form gives the wrenches of its table, everywhere where a patch is taken."""
+        pad = "ellipse:law=cone,a=0.004,b=0.003"
+        twists = (1.0, 0.0, 0.0), (0.0, 0.0, 2.0), (1e-3, 2e-3, 1.0), (-1e-3, 0.0, 0.3)
+        exact = self.wrenches(pad, *twists)
+        found = []
+        for form in ("csv", "json"):
+            file = self.folder / f"pad.{form}"
+            made, = rows("table", "--patch", pad, "--tolerance", "1e-2", "-o", file)
+            self.assertEqual(list(made), ["patch", "tolerance", "checked_error", "bytes"])
+            self.assertEqual(made["patch"], pad)
+            self.assertLessEqual(made["checked_error"], 1e-2)
+            found.append(self.wrenches(f"table:{file}", *twists))
+            for one, other in zip(exact, found[-1], strict=True):
+                self.assertLessEqual(math.hypot(one["fx"] - other["fx"], one["fy"] - other["fy"]), made["checked_error"])
+            hold = [rows("hold", "--patch", patch, "--mu", 0.5, "--force", "1,0.5", "--moment", 1e-3)[0]["hold_load"]
+                    for patch in (pad, f"table:{file}")]
+            self.assertAlmostEqual(hold[0], hold[1], delta=2e-2 * hold[0])
+        self.assertEqual(*found)
+        self.refused(f"table:{self.folder / 'none.csv'}", "none.csv")
+        self.refused(f"table:{self.folder / 'pad.txt'}", ".csv or .json")
+        self.refused(f"table:{self.file('cut.csv', (self.folder / 'pad.csv').read_bytes()[:-9])}", "cut.csv:")
+        for call, told in ((["--patch", pad, "--law", "hertz"], "one of --law and --patch"), ([], "one of --law and --patch"),
+                           (["--patch", pad, "--name", "n"], "--name"),
+                           (["--patch", "rectangle:x=0.1,y=0.01", "--tolerance", "1e-5"], " or more for rectangle")):
+            done = run("table", *call, "-o", self.folder / "new.csv")
+            self.assertEqual((done.returncode, told in done.stderr), (2, True), done.stderr)
+            self.assertFalse((self.folder / "new.csv").exists())
+
     def test_half_spaces(self):
         """The door's columns; the round contact of `curve` is the ellipse of `patch`. What they keep is asserted in
         half_spaces_test.cpp."""

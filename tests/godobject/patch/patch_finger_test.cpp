@@ -2,7 +2,7 @@
 #include "godobject/patch/patch_projection.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/patch/patch.hpp"
+#include "limitcurve/patch/patch_table.hpp"
 #include "limitcurve/table.hpp"
 #include "tests/complaint.hpp"
 #include "tests/repetitions.hpp"
@@ -34,7 +34,8 @@ std::vector<std::pair<std::string, Patch>> patches() {
           {"slim hertz", Patch::ellipse(hertz(), 0.001, 0.01)},
           {"uniform", Patch::ellipse(uniform(), 0.002, 0.004)},
           {"tripod", tripod().smoothed(1e-3 * tripod().moment_ratio())},
-          {"orthotropic", Patch::rectangle(0.02, 0.01).orthotropic(0.5, 2.0)}};
+          {"orthotropic", Patch::rectangle(0.02, 0.01).orthotropic(0.5, 2.0)},
+          {"table", PatchTable::build(Patch::ellipse(parse_law("cone"), 0.008, 0.004), 1e-3)}};
 }
 
 Contact on_plane(double x, double y, double depth) {
