@@ -88,7 +88,7 @@ struct LawSelection {
   std::vector<double> aic_difference;
 };
 
-/// Fits every law of `law_examples` that has no parameter and a finite pressure at its centre, gaussian:sigma=1 (its
+/// Fits every law of `law_examples` that has no parameter and no pressure like 1/ρ at its centre, gaussian:sigma=1 (its
 /// radius is σ) and the two families. The report of the best warns of every candidate that the data cannot distinguish
 /// from it. Its standard errors cover the noise, the choice of law, with Akaike's weights exp(−AIC/2) of the
 /// candidates' values, and, where the samples do not scatter evenly about the best curve, what a law that is none of

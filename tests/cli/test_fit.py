@@ -232,7 +232,7 @@ class Fit(CommandLineTest):
             "pushes.csv",
             "force_x,force_y,moment,dx,dy,dtheta\n" + "0.5,0,0,0.01,0,0\n0.6,0,0,0.01,0,0\n0.55,0,0,0.01,0,0\n")
         square = ["friction", "--patch", "rectangle:x=0.1,y=0.1", "--data", pushes]
-        laws = len(rows("laws")) - 2  # neither a mixture nor uniform-wear, which is infinite at its centre
+        laws = len(rows("laws")) - 2  # neither a mixture nor uniform-wear, whose pressure is like 1/rho
         for call, noted in [
             (["ellipse", "--law", "hertz"], "least-squares to the exact curve of hertz"),
             (square, "rectangle:x=0.1,y=0.1; few rows: a 95 % interval is +- 4.3 std_error"),
