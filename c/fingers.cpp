@@ -34,7 +34,7 @@ constexpr std::array members{&Parameters::mu,
                              &Parameters::damping,
                              &Parameters::twist_damping,
                              &Parameters::rest_margin,
-                             &Parameters::max_displacement,
+                             &Parameters::max_speed,
                              &Parameters::fault_decay};
 static_assert(members.size() == finger_parameter_table.size());
 
@@ -46,12 +46,17 @@ bool is_projection(limitcurve_projection projection) noexcept {
 }
 
 FingerParameters parameters_of(const limitcurve_finger_parameters& given) {
-  if (given.radius_law == nullptr && std::isnan(given.mu_r))
+  if (given.radius_law == nullptr && std::isnan(given.mu_r) && given.max_speed != 0.0)
     throw std::invalid_argument("radius_law: got NULL, expected it, or mu_r");
   return parameters_of(given, FingerParameters().radius_law);
 }
 
 FingerParameters parameters_of(const limitcurve_finger_parameters& given, const RadiusLaw& otherwise) {
+  // What no finger may have tells a structure of zero bytes, in which friction was never given.
+  if (given.max_speed == 0.0)
+    throw std::invalid_argument("max_speed: got 0, expected a number > 0; begin with limitcurve_finger_defaults()");
+  if (given.radius_law != nullptr && !std::isnan(given.mu_r))
+    throw std::invalid_argument("mu_r: not with radius_law, expected one of them: radius_law NULL, or mu_r NaN");
   FingerParameters parameters;
   parameters.radius_law = given.radius_law != nullptr ? RadiusLaw::parse(given.radius_law) : otherwise;
   auto member = members.begin();
@@ -158,11 +163,10 @@ limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limit
   if (table->curve.is_box() && projection != LIMITCURVE_CLOSEST_POINT)
     return refuse("projection", "a box goes with closest-point only");
   if (const char* const fault = fault_of(*limits, force, moment, *memory)) return refuse("friction", fault);
-  const FrictionLimits<double> acting{{limits->force, limits->radius},
-                                      {limits->sliding_force, limits->sliding_radius},
-                                      limits->stiffness_ratio,
-                                      limits->force_stick_fraction,
-                                      limits->moment_stick_fraction};
+  const FrictionLimits<double> acting{
+      {limits->force, limits->radius}, {limits->sliding_force, limits->sliding_radius},
+      limits->stiffness_ratio,         limits->force_stick_fraction,
+      limits->moment_stick_fraction,   has_torsion(limits->radius, limits->stiffness_ratio)};
   FrictionMemory<double> remembered{memory->force_slides != 0, memory->moment_slides != 0, memory->search_start,
                                     memory->search_rate};
   const auto result = apply_friction(table->curve.view(), static_cast<Projection>(projection), acting,

@@ -174,22 +174,22 @@ LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_tabl
 
 /* ---- Fingers ---- */
 
-/* Parameters of a finger. Start from limitcurve_finger_defaults. */
+/* Parameters of a finger. Begin with limitcurve_finger_defaults(); zero bytes are refused. */
 typedef struct limitcurve_finger_parameters {
   double mu;              /* coefficient of static friction >= 0 */
   double mu_dynamic;      /* while slipping, in [0, mu]; NaN: mu */
-  const char* radius_law; /* a(P), in the command's grammar: "constant:a=0.005"; may be NULL if mu_r is given */
+  const char* radius_law; /* a(P), in the command's grammar: "constant:a=0.005"; NULL beside mu_r */
   double mu_r; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), instead of the radius law's; NaN: none */
-  double gamma;            /* gamma, in [-0.5, 1] */
-  double mu_r_dynamic;     /* while slipping; NaN: mu_r mu_d/mu */
-  double stiffness;        /* k_l [N/m] > 0, normal and tangential */
-  double twist_stiffness;  /* k_r [N m/rad] > 0 */
-  double damping;          /* b_l [N s/m] >= 0 */
-  double twist_damping;    /* b_r [N m s/rad] >= 0 */
-  double rest_margin;      /* >= 0: a sliding finger rests within its limit over 1 + rest_margin (mu/mu_dynamic - 1) */
-  double max_displacement; /* between two samples [m]; a larger jump is invalid; the next sample counts if it stays
-                              there */
-  double fault_decay;      /* factor of load, force and moment from one invalid sample to the next, in [0, 1] */
+  double gamma;           /* gamma, in [-0.5, 1] */
+  double mu_r_dynamic;    /* while slipping; NaN: mu_r mu_d/mu */
+  double stiffness;       /* k_l [N/m] > 0, normal and tangential */
+  double twist_stiffness; /* k_r [N m/rad] > 0 */
+  double damping;         /* b_l [N s/m] >= 0 */
+  double twist_damping;   /* b_r [N m s/rad] >= 0 */
+  double rest_margin;     /* >= 0: a sliding finger rests within its limit over 1 + rest_margin (mu/mu_dynamic - 1) */
+  double max_speed;   /* [m/s] > 0: a sample is invalid if it lies farther from the last good one than this times the
+                         time since then, at least 1 ms; the next sample counts if it stays there */
+  double fault_decay; /* factor of load, force and moment from one invalid sample to the next, in [0, 1] */
 } limitcurve_finger_parameters;
 
 /* The defaults of the C++ library, NaN for what is absent, and a radius of 5 mm. */
@@ -213,20 +213,20 @@ typedef enum limitcurve_state {
 /* The reason for LIMITCURVE_STATE_INVALID. */
 typedef enum limitcurve_fault {
   LIMITCURVE_FAULT_NONE = 0,
-  LIMITCURVE_FAULT_NOT_FINITE = 1,   /* a NaN or an infinity in point, normal, depth, twist or orientation */
-  LIMITCURVE_FAULT_TOO_FAR = 2,      /* the length of (point, depth, twist) is beyond 1e6 */
-  LIMITCURVE_FAULT_ORIENTATION = 3,  /* the device's orientation is not of unit length */
-  LIMITCURVE_FAULT_NORMAL = 4,       /* the normal is not of unit length */
-  LIMITCURVE_FAULT_TIME_STEP = 5,    /* the time step is < 0 or not finite */
-  LIMITCURVE_FAULT_DISPLACEMENT = 6, /* more than max_displacement since the last sample */
-  LIMITCURVE_FAULT_BODY = 7,         /* not of this interface: the pose of a touched body */
-  LIMITCURVE_FAULT_FORCE = 8         /* not of this interface: the force or the moment on a touched body */
+  LIMITCURVE_FAULT_NOT_FINITE = 1,  /* a NaN or an infinity in point, normal, depth, twist or orientation */
+  LIMITCURVE_FAULT_TOO_FAR = 2,     /* the length of (point, depth, twist) is beyond 1e6 */
+  LIMITCURVE_FAULT_ORIENTATION = 3, /* the length of the device's orientation is off 1 by more than 1e-2 */
+  LIMITCURVE_FAULT_NORMAL = 4,      /* that of the normal is */
+  LIMITCURVE_FAULT_TIME_STEP = 5,   /* the time step is < 0 or not finite */
+  LIMITCURVE_FAULT_SPEED = 6,       /* faster than max_speed since the last good sample */
+  LIMITCURVE_FAULT_BODY = 7,        /* not of this interface: the pose of a touched body */
+  LIMITCURVE_FAULT_FORCE = 8        /* not of this interface: the force or the moment on a touched body */
 } limitcurve_fault;
 
 /* A contact of a finger with a surface. */
 typedef struct limitcurve_contact {
   double point[3];  /* point of the surface nearest to the finger [m] */
-  double normal[3]; /* outward, of unit length */
+  double normal[3]; /* outward; normalised if its length is within 1e-2 of 1 */
   double depth;     /* of the finger below the surface [m]; <= 0 outside */
   double twist;     /* of the device about the normal [rad]; may wrap around */
   int landed;       /* not 0: the finger left the surface since the last step and landed on it anew, as from one wall to
@@ -287,8 +287,8 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_
                                                                      double time_step,
                                                                      limitcurve_finger_output* output);
 
-/* Both with the device's orientation (w, x, y, z; finger to surface, of unit length) instead of `twist`, which is not
- * read. [real time] */
+/* Both with the device's orientation (w, x, y, z; finger to surface, as the normal within 1e-2 of unit length) instead
+ * of `twist`, which is not read. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update_pose(limitcurve_finger* finger,
                                                                const limitcurve_contact* contact,
                                                                const double orientation[4], double time_step,

@@ -104,8 +104,6 @@ class TouchOfPlane {
     result.twist_stiffness = 0.01;
     result.damping = 1.0;
     result.twist_damping = 1e-5;
-    result.max_displacement = 0.02;  // a jump of 20 mm in a millisecond is a fault
-    result.fault_decay = 0.95;       // then the last force falls to a tenth in 45 ms
     return result;
   }
 

@@ -13,7 +13,7 @@ struct FingerParameters {
   public double mu, muDynamic;
   public IntPtr radiusLaw;  // Marshal.StringToCoTaskMemUTF8; read by the call only; NULL: as it was
   public double muR, gamma, muRDynamic, stiffness, twistStiffness;
-  public double damping, twistDamping, restMargin, maxDisplacement, faultDecay;
+  public double damping, twistDamping, restMargin, maxSpeed, faultDecay;
 }
 
 [StructLayout(LayoutKind.Sequential)]

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <ranges>
 
 namespace limitcurve::godobject {
@@ -40,10 +41,24 @@ template <class Real, class Number>
 /// library.
 using Orientation = Eigen::Quaternion<double, Eigen::DontAlign>;
 
+/// Takes a direction or an orientation by the rule of every door: within 1e-6 of unit length it keeps its bits, within
+/// 1e-2 it is normalised, because sensors round and engines count in single precision. Otherwise it is a fault: returns
+/// false and changes nothing.
+template <class Direction>
+bool make_unit(Direction& direction) noexcept {
+  const double square = direction.squaredNorm();
+  if (std::fabs(square - 1.0) <= 2e-6) [[likely]]
+    return true;
+  if (!(std::fabs(std::sqrt(square) - 1.0) <= 1e-2)) return false;
+  direction.normalize();
+  return true;
+}
+
 /// The pose of a device's finger, in the frame of the surface.
 struct DevicePose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< x_h [m]
-  Orientation orientation = Orientation::Identity();   ///< of unit length; its spin about the contact normal is twist
+  /// Of unit length, or within 1e-2 of it; its spin about the contact normal is twist.
+  Orientation orientation = Orientation::Identity();
   double twist = 0.0;  ///< added twist about the contact normal [rad], for a device that measures an angle only
 };
 
@@ -53,13 +68,25 @@ struct DevicePose {
 /// feels no friction from a body that moves beneath it.
 struct BodyPose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the body's origin [m]; of a free body the centre of mass
-  Orientation orientation = Orientation::Identity();   ///< body to world, of unit length
+  Orientation orientation = Orientation::Identity();   ///< body to world, within 1e-2 of unit length
 
+  /// The turn from the body's axes to the world's, normalised.
+  [[nodiscard]] Orientation out_of_body() const noexcept {
+    Orientation turn = orientation;
+    make_unit(turn);
+    return turn;
+  }
+  /// Its inverse. If the orientation is none, NaN, which the finger names as a fault.
+  [[nodiscard]] Orientation into_body() const noexcept {
+    Orientation turn = orientation.conjugate();
+    if (!make_unit(turn)) turn.w() = std::numeric_limits<double>::quiet_NaN();
+    return turn;
+  }
   [[nodiscard]] Eigen::Vector3d to_body(const Eigen::Vector3d& point) const noexcept {
-    return orientation.conjugate() * (point - position);
+    return into_body() * (point - position);
   }
   [[nodiscard]] Eigen::Vector3d to_world(const Eigen::Vector3d& point) const noexcept {
-    return position + orientation * point;
+    return position + out_of_body() * point;
   }
 };
 
@@ -75,7 +102,7 @@ struct ContactMemory {
 /// The contact of a finger with a surface: the result of step a (paper, eq. 7).
 struct Contact {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< x_g, the surface point nearest the finger [m]
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward unit normal there
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward normal there, within 1e-2 of unit length
   double depth = 0.0;                                 ///< d [m], depth of the finger beneath the surface; ≤ 0 outside
   ContactMemory memory = {};                          ///< to be passed to the next contact query
   /// Whether the finger has left the surface since the last sample and landed on it anew, as from one wall to another:
@@ -87,13 +114,13 @@ struct Contact {
 
 /// Orientation, device pose or contact, from the world's frame into the body's.
 [[nodiscard]] inline Orientation to_body(const BodyPose& body, const Orientation& orientation) noexcept {
-  return body.orientation.conjugate() * orientation;
+  return body.into_body() * orientation;
 }
 [[nodiscard]] inline DevicePose to_body(const BodyPose& body, const DevicePose& device) noexcept {
   return {body.to_body(device.position), to_body(body, device.orientation), device.twist};
 }
 [[nodiscard]] inline Contact to_body(const BodyPose& body, const Contact& contact) noexcept {
-  return {body.to_body(contact.point), body.orientation.conjugate() * contact.normal, contact.depth, contact.memory,
+  return {body.to_body(contact.point), body.into_body() * contact.normal, contact.depth, contact.memory,
           contact.landed};
 }
 

@@ -37,12 +37,14 @@ struct FingerParameters {
   /// between the limits; stick–slip of a mass on springs no stiffer than the contact makes it fall by at least 0.5. 0:
   /// at rest as soon as the trial is within the sliding limit.
   double rest_margin = 0.4;
-  /// Largest displacement between two samples [m] > 0. A larger jump is taken for a device fault and makes the sample
-  /// `invalid`; if the next sample stays near, it is accepted. The default is 500 m/s at 1 kHz; ∞ accepts every sample.
-  double max_displacement = 0.5;
+  /// Largest speed of the finger [m/s] > 0. A sample is taken for a device fault, and `invalid`, if it lies farther
+  /// from the last good one than this times the time since then: the sum of the time steps between, at least 1 ms. If
+  /// the next sample stays near the refused one, it is accepted. The default is above what hands and robots that touch
+  /// people do (docs/drive.md); ∞ accepts every sample.
+  double max_speed = 5.0;
   /// How fast the output fades during faults ∈ [0, 1]: each invalid sample after the first multiplies load, force and
-  /// moment by it. The default halves them in 70 samples; 1 holds them forever.
-  double fault_decay = 0.99;
+  /// moment by it. The default leaves a tenth after 45 samples; 1 holds them forever.
+  double fault_decay = 0.95;
 };
 
 /// In time steps [s] shorter than this, dampers do not act, and in a replay free bodies do not move.
@@ -73,14 +75,14 @@ constexpr std::string_view to_string(ContactState state) noexcept {
 /// Why a sample was rejected: the reason for the state `invalid`.
 enum class Fault : std::uint8_t {
   none,
-  not_finite,    ///< a NaN or infinity in a position, normal, orientation or twist
-  too_far,       ///< beyond `farthest`
-  orientation,   ///< the device's orientation is not of unit length
-  normal,        ///< the contact's normal is not of unit length
-  time_step,     ///< < 0 or not finite
-  displacement,  ///< more than `max_displacement` since the last sample
-  body,          ///< the touched body's pose (Grasp, Replay) is not finite, beyond `farthest`, or not of unit length
-  force,         ///< the force or the moment on the body (Grasp) is not finite, or would carry it beyond `farthest`
+  not_finite,   ///< a NaN or infinity in a position, normal, orientation or twist
+  too_far,      ///< beyond `farthest`
+  orientation,  ///< the length of the device's orientation is off 1 by more than 1e-2
+  normal,       ///< that of the contact's normal is
+  time_step,    ///< < 0 or not finite
+  speed,        ///< farther from the last good sample than `max_speed` allows
+  body,         ///< the touched body's pose (Grasp, Replay) is not finite, beyond `farthest`, or not of unit length
+  force,        ///< the force or the moment on the body (Grasp) is not finite, or would carry it beyond `farthest`
 };
 
 /// The fault in words, as in "a sample is invalid: the normal is not of unit length"; "none" without a fault.
@@ -92,7 +94,7 @@ constexpr std::string_view to_string(Fault fault) noexcept {
       "the orientation is not of unit length",
       "the normal is not of unit length",
       "the time goes back or is not finite",
-      "the finger moved by more than the maximum displacement",
+      "the finger moved faster than the maximum speed",
       "the body's pose is not finite, beyond 1e6 m, or not of unit length",
       "the force or the moment on the body is not finite, or would move it beyond 1e6"};
   return reasons[static_cast<std::size_t>(fault)];
@@ -128,9 +130,10 @@ struct FingerOutput {
 
 /// The result of a step in a body's frame, as the world sees it.
 [[nodiscard]] inline FingerOutput to_world(const BodyPose& body, FingerOutput output) noexcept {
-  output.proxy = body.to_world(output.proxy);
-  output.normal = body.orientation * output.normal;
-  output.force = body.orientation * output.force;
+  const Orientation turn = body.out_of_body();
+  output.proxy = body.position + turn * output.proxy;
+  output.normal = turn * output.normal;
+  output.force = turn * output.force;
   return output;
 }
 
@@ -150,8 +153,10 @@ struct FingerSample {
 /// Bookkeeping of good and rejected samples.
 struct FingerFaults {
   bool seen = false;                                     ///< there has been a good sample
-  bool refused = false;                                  ///< the last sample was rejected for its displacement
+  bool refused = false;                                  ///< a sample since then was rejected for its speed
   Eigen::Vector3d refused_at = Eigen::Vector3d::Zero();  ///< its position [m]
+  double elapsed = 0.0;                                  ///< time since the last good sample [s]
+  double refused_after = 0.0;                            ///< `elapsed` when one was refused [s]
 };
 
 /// What a patch's friction remembers between steps. Zero for a limit curve.

@@ -37,6 +37,12 @@ struct FrictionLimits {
   Number load = Number(0);                   ///< P [N], for the c-curve projection
 };
 
+/// Whether a radius [m] limits a moment, beside springs of this ratio k_l/k_r [1/m²]: one below rounding only turns
+/// with the finger.
+[[nodiscard]] constexpr bool has_torsion(double radius, double stiffness_ratio) noexcept {
+  return radius * radius * stiffness_ratio > 1e-40;
+}
+
 /// The trial wrench: force and moment of springs and dampers if the proxy stayed (eq. 7).
 template <class Number>
 struct FrictionTrial {

@@ -204,16 +204,17 @@ bool SoftFinger::change(const FingerParameters& parameters) noexcept {
   return true;
 }
 
-const FingerOutput& SoftFinger::mark_invalid(Fault fault) & noexcept {
+const FingerOutput& SoftFinger::mark_invalid(Fault fault, double time_step) & noexcept {
+  if (is_time_step(time_step)) state_.faults.elapsed += time_step;
   return fade(state_, parameters_.fault_decay, fault);
 }
 
-const FingerOutput& SoftFinger::advance(FingerState& state, const StepInput& input) const noexcept {
+const FingerOutput& SoftFinger::advance(FingerState& state, StepInput&& input) const noexcept {
   // A velocity needs two good samples of one kind in succession.
   const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid &&
                             input.time_step >= shortest_time_step &&
                             std::isnan(state.output.depth) == input.load.has_value();
-  const Fault fault = accept(state.faults, input, state.sample, parameters_.max_displacement);
+  const Fault fault = accept(state.faults, input, state.sample, parameters_.max_speed);
   if (fault != Fault::none) return fade(state, parameters_.fault_decay, fault);
   const bool continues = state.in_contact && !input.contact.landed;
   const FingerSample sample = take_sample(state.sample, input, continues);
@@ -270,7 +271,7 @@ Vector3d SoftFinger::centre_of_rotation() const noexcept {
   const FingerOutput& output = state_.output;
   const PatchMemory& patch = state_.patch;
   // The proxy moves by v = ω n × (x_p − C), against friction: C follows from the proxy, not from the finger.
-  const bool is_round = patch.slip == Vector3d::Zero();
+  const bool is_round = !patch_ || patch.slip == Vector3d::Zero();  // a restored state may be a patch's
   const Vector3d slide = is_round
                              ? output.force
                              : Vector3d(patch.axis * patch.slip.x() + output.normal.cross(patch.axis) * patch.slip.y());

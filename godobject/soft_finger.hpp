@@ -63,8 +63,8 @@ class SoftFinger {
   ///
   /// Bad input never reaches the user: the state becomes `invalid`, `FingerOutput::fault` names the reason, and the
   /// last good output is held and fades over further invalid samples (`fault_decay`); proxy and contact memory stay.
-  /// Bad is input that is not finite or beyond `farthest`, an orientation or normal not of unit length, a displacement
-  /// beyond `max_displacement`, a time step < 0 or not finite.
+  /// Bad is input that is not finite or beyond `farthest`, an orientation or normal off unit length by more than 1e-2,
+  /// a jump beyond `max_speed`, a time step < 0 or not finite.
   const FingerOutput& update(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) & noexcept;
   /// One step with a contact found by your own collision detection, and the device's twist α_s [rad] about the normal.
   /// The twist may wrap at any multiple of 2π: a jump of more than π between steps is read as a turn the other way.
@@ -114,8 +114,8 @@ class SoftFinger {
   /// The first bad parameter, for which `change` is false and the constructor throws; none: `change` takes them.
   [[nodiscard]] std::optional<BadParameter> refusal(const FingerParameters& parameters) const noexcept;
 
-  /// A step without a sample: as for an invalid one, with the caller's reason.
-  const FingerOutput& mark_invalid(Fault fault) & noexcept;
+  /// Call this instead of `update` in a step without a sample, with your reason and the time step [s].
+  const FingerOutput& mark_invalid(Fault fault, double time_step = 0.0) & noexcept;
 
   [[nodiscard]] const FingerOutput& output() const& noexcept { return state_.output; }
   [[nodiscard]] FingerOutput output() && noexcept { return state_.output; }
@@ -155,7 +155,7 @@ class SoftFinger {
   /// in the pose.
   [[nodiscard]] FingerState try_step(const AnySurface& surface, const DevicePose& device,
                                      double time_step) const noexcept;
-  const FingerOutput& advance(FingerState& state, const StepInput& input) const noexcept;
+  const FingerOutput& advance(FingerState& state, StepInput&& input) const noexcept;
 
   // The contact: exactly one of these is set.
   std::optional<FingerCurve> curve_;

@@ -186,7 +186,7 @@ void add_batches(nb::module_& module) {
         const FingerParameters parameters = parameters_of(made.given, curve_of<double>(curve).moment_ratio());
         if (parameters.damping != 0.0 || parameters.twist_damping != 0.0)
           throw std::invalid_argument("damping, twist_damping: expected 0, a batch has no dampers");
-        for (const char* const name : {"max_displacement", "fault_decay"}) {
+        for (const char* const name : {"max_speed", "fault_decay"}) {
           if (made.given.contains(name))
             throw std::invalid_argument(name +
                                         std::string(": expected none, a batch refuses no jump and fades no output"));
@@ -198,7 +198,7 @@ void add_batches(nb::module_& module) {
         }
         new (self) PyBatch(std::move(made));
       },
-      "n free contacts at the origin; parameters as for SoftFinger, but no dampers, max_displacement and fault_decay.\n"
+      "n free contacts at the origin; parameters as for SoftFinger, but no dampers, max_speed and fault_decay.\n"
       "dtype float32 needs half the memory and time and resolves 6e-8 of a\n"
       "coordinate; its table is that of the given one, to 5e-7 or 1 % of its tolerance.");
   define<PyBatch&>(

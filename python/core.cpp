@@ -230,11 +230,21 @@ nb::object handed_over(const Results<Real>& results) {
 template nb::object handed_over(const Results<double>& results);
 template nb::object handed_over(const Results<float>& results);
 
+/// As of arrays: times and complex numbers are none, nor is what a mask hides.
+static bool is_of_numbers(nb::handle value) {
+  if (PyFloat_Check(value.ptr()) || PyLong_CheckExact(value.ptr()) || !nb::hasattr(value, "dtype")) return true;
+  const std::string kind = text_of(nb::getattr(value.attr("dtype"), "kind", nb::str("f")));
+  return kind.find_first_of("mMc") == std::string::npos && !truth_of(nb::getattr(value, "mask", nb::bool_(false)));
+}
+
 double number_of(nb::handle value, std::string_view name) {
   const double number = as_double(value);
-  if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
-  nb::python_error error;
-  rethrow_unless_of_values(error);
+  if (PyErr_Occurred() == nullptr) {
+    if (is_of_numbers(value)) return number;
+  } else {
+    nb::python_error error;
+    rethrow_unless_of_values(error);
+  }
   throw std::invalid_argument(std::string(name) + ": got " + shown(value) + ", expected a number");
 }
 

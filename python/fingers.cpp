@@ -62,14 +62,15 @@ void define_step(nb::class_<PyFinger>& type, const char* name, const char* depth
 }
 
 constexpr const char* update_doc =
-    "One step. Input: the contact (surface point [m], outward unit normal, depth [m] below the surface, <= 0 outside), "
+    "One step. Input: the contact (surface point [m], outward normal, depth [m] below the surface, <= 0 outside), "
     "the\n"
     "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers. landed: the "
     "finger left the\n"
     "surface since the last step and landed on it anew, as from one wall to another; then it touches down. On another "
     "body call reset() "
     "before.\n\n"
-    "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state "
+    "Bad input (not finite, a normal off unit length by more than 1e-2, a jump, dt < 0) raises nothing; it gives the "
+    "state "
     "`invalid`, with\n"
     "the reason in `fault`: the last good output is held, and fades.";
 
@@ -132,10 +133,10 @@ void add_output(nb::module_& module) {
       .value("none", Fault::none, "it is not")
       .value("not_finite", Fault::not_finite, "a NaN or an infinity in the point, the normal, the depth or the twist")
       .value("too_far", Fault::too_far, "one of them is beyond 1e6")
-      .value("orientation", Fault::orientation, "a device's orientation is not of unit length")
-      .value("normal", Fault::normal, "the normal is not of unit length")
+      .value("orientation", Fault::orientation, "the length of the device's orientation is off 1 by more than 1e-2")
+      .value("normal", Fault::normal, "that of the normal is")
       .value("time_step", Fault::time_step, "dt is < 0 or not finite")
-      .value("displacement", Fault::displacement, "more than max_displacement since the last sample")
+      .value("speed", Fault::speed, "faster than max_speed since the last good sample")
       .value("body", Fault::body, "the pose of the touched body is none")
       .value("force", Fault::force, "the force or the moment on the touched body is none");
   nb::class_<FingerOutput> type(
@@ -346,11 +347,9 @@ void add_friction(nb::module_& module) {
                 moment_stick_fraction, "[0, 1]");
         const FingerCurve on = curve_of<double>(given[0]);
         check_projection(on, way);
-        const FrictionLimits<double> limits{{limit, radius},
-                                            {sliding_force, radius_of_slip},
-                                            stiffness_ratio,
-                                            force_stick_fraction,
-                                            moment_stick_fraction};
+        const FrictionLimits<double> limits{{limit, radius},       {sliding_force, radius_of_slip},
+                                            stiffness_ratio,       force_stick_fraction,
+                                            moment_stick_fraction, has_torsion(radius, stiffness_ratio)};
         return apply_friction(on.view(), way, limits, FrictionTrial<double>{force, moment}, memory->memory);
       },
       "The fraction of a trial force [N] and moment [N m], of any sign, within the friction limit: for simulators with "

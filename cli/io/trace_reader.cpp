@@ -101,14 +101,12 @@ Eigen::Vector3d TraceReader::position(std::size_t column) const {
   return {reader_.number(column, finite), reader_.number(column + 1, finite), reader_.number(column + 2, finite)};
 }
 
-Eigen::Quaterniond TraceReader::orientation(std::size_t column) const {
-  const Eigen::Quaterniond result(reader_.number(column, finite), reader_.number(column + 1, finite),
-                                  reader_.number(column + 2, finite), reader_.number(column + 3, finite));
-  // Devices round; a larger difference means that this is no rotation.
-  if (const double length = result.norm(); !(std::abs(length - 1.0) <= 1e-3)) {
-    throw reader_.complaint(column, "the quaternion has length " + format_number(length) + ", expected 1");
-  }
-  return result.normalized();
+godobject::Orientation TraceReader::orientation(std::size_t column) const {
+  godobject::Orientation result(reader_.number(column, finite), reader_.number(column + 1, finite),
+                                reader_.number(column + 2, finite), reader_.number(column + 3, finite));
+  if (!godobject::make_unit(result))
+    throw reader_.complaint(column, "the quaternion has length " + format_number(result.norm()) + ", expected 1");
+  return result;
 }
 
 }  // namespace limitcurve::cli

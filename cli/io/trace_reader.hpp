@@ -39,7 +39,7 @@ class TraceReader {
 
  private:
   [[nodiscard]] Eigen::Vector3d position(std::size_t column) const;
-  [[nodiscard]] Eigen::Quaterniond orientation(std::size_t column) const;
+  [[nodiscard]] godobject::Orientation orientation(std::size_t column) const;
   [[nodiscard]] bool has_all(std::size_t column, std::size_t count) const;
 
   std::size_t body_column_;

@@ -89,7 +89,7 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
       return value.empty() ? std::optional<double>() : x;
     };
     given_.mu = number("mu").value_or(0.5), given_.mu_dynamic = number("mu_dynamic"), given_.mu_r = number("mu_r");
-    given_.radius_law = RadiusLaw::parse(text("radius_law", "constant:a=0.005")), given_.max_displacement = mjMAXVAL;
+    given_.radius_law = RadiusLaw::parse(text("radius_law", "constant:a=0.005")), given_.max_speed = mjMAXVAL;
     stiffness_ = number("stiffness"), twist_stiffness_ = number("twist_stiffness");
     damping_ = number("damping"), twist_damping_ = number("twist_damping"),
     contacts_ = std::max(1.0, number("contacts").value_or(8.0));

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/body/grasp.hpp"
 
+#include "godobject/finger/sample.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -19,11 +21,11 @@ namespace {
 // ours.
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 
-/// Whether a body's state is valid: finite, no number beyond `farthest`, an orientation of unit length.
-bool is_plausible(const BodyState& state) noexcept {
+/// Whether a body's state is valid: finite, no number beyond `farthest`, an orientation, which it normalises.
+bool make_plausible(BodyState& state) noexcept {
   const double square =
       state.position.squaredNorm() + state.velocity.squaredNorm() + state.angular_velocity.squaredNorm();
-  return godobject::is_plausible<double>(square) && std::fabs(state.orientation.squaredNorm() - 1.0) <= 1e-6;
+  return is_plausible<double>(square) && make_unit(state.orientation);
 }
 
 /// The end of a step.
@@ -78,25 +80,25 @@ Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurfac
       friction_(fingers_.size()),
       gyration_(std::sqrt(parameters.inertia.mean() / parameters.mass)) {
   parameters_.validate();
-  if (const double norm = state.orientation.norm(); !(std::fabs(norm - 1.0) <= 1e-9)) {
-    throw out_of_range("norm of the orientation", norm, "1", "1");
-  }
-  if (!is_plausible(state))
+  if (!make_unit(state_.orientation))
+    throw out_of_range("norm of the orientation", state.orientation.norm(), "1", "within 1e-2 of 1");
+  if (!make_plausible(state_))
     throw std::invalid_argument("state of the body: expected positions and velocities within 1e6 m, m/s and rad/s");
 }
 
 void Grasp::step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force,
                  const Eigen::Vector3d& moment) noexcept {
-  if (!(time_step > 0.0 && is_time_step(time_step))) return mark_invalid(Fault::time_step);
+  if (!(time_step > 0.0 && is_time_step(time_step))) return mark_invalid(Fault::time_step, 0.0);
   Load external;
   external.add(force + parameters_.mass * parameters_.gravity, moment, gyration_);
   // The speeds that the forces alone would give.
-  const BodyState pushed{
+  BodyState pushed{
       {}, external.force * (time_step / parameters_.mass), moment * (time_step / parameters_.inertia.minCoeff())};
-  if (!is_plausible(pushed)) return mark_invalid(Fault::force);
+  if (!make_plausible(pushed)) return mark_invalid(Fault::force, time_step);
   // In whole, or in parts, counted in the smallest.
   bool all_solved = true;
   int size = max_parts;
+  compare_places(devices, time_step);
   for (int done = 0; done < max_parts;) {
     const int end = done + size;
     const double part = time_step * size / max_parts;
@@ -109,10 +111,11 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
       continue;
     }
     all_solved = all_solved && solved;
-    const BodyState next = end_of(attempt, part);
-    if (!is_plausible(next)) return mark_invalid(Fault::body);
+    BodyState next = end_of(attempt, part);
+    if (!make_plausible(next)) return mark_invalid(Fault::body, time_step);
     state_ = next;
     commit(poses, part, done > 0);
+    if (end < max_parts) compare_places(poses, part);
     divided_ += done == 0 && size < max_parts;
     done = end;
     if (size < max_parts && done % (2 * size) == 0) size *= 2;
@@ -121,17 +124,18 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
   remember(devices);
 }
 
-void Grasp::carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept {
-  if (!is_time_step(time_step)) return mark_invalid(Fault::time_step);
-  if (!is_plausible(state)) return mark_invalid(Fault::body);
+void Grasp::carry(BodyState state, std::span<const DevicePose> devices, double time_step) noexcept {
+  if (!is_time_step(time_step)) return mark_invalid(Fault::time_step, 0.0);
+  if (!make_plausible(state)) return mark_invalid(Fault::body, time_step);
   state_ = state;
   commit(devices, time_step, false);
   remember(devices);
 }
 
-void Grasp::place(const BodyState& state, std::span<const DevicePose> devices) noexcept {
-  if (!is_plausible(state)) return mark_invalid(Fault::body);
+void Grasp::place(BodyState state, std::span<const DevicePose> devices) noexcept {
+  if (!make_plausible(state)) return mark_invalid(Fault::body, 0.0);
   state_ = state;
+  for (SoftFinger& finger : fingers_) finger.state_.faults = {};
   const double dissipated = dissipated_;
   commit(devices, 0.0, false);
   dissipated_ = dissipated;
@@ -171,7 +175,8 @@ std::span<const DevicePose> Grasp::between(std::span<const DevicePose> devices, 
     const DevicePose& from = last_devices_[i];
     const double turn = std::remainder(devices[i].twist - from.twist, 2.0 * std::numbers::pi);
     between_[i] = {from.position + fraction * (devices[i].position - from.position),
-                   from.orientation.slerp(fraction, devices[i].orientation), from.twist + fraction * turn};
+                   from.orientation.normalized().slerp(fraction, devices[i].orientation.normalized()),
+                   from.twist + fraction * turn};
   }
   return {between_.data(), last_count_};
 }
@@ -205,6 +210,7 @@ void Grasp::commit(std::span<const DevicePose> devices, double time_step, bool c
     }
     const FingerOutput before = finger.output();
     dissipated_ += finger.update(surface_, to_body(state_, devices[i]), time_step).slip_work;
+    if (double& elapsed = finger.state_.faults.elapsed; std::isinf(elapsed)) elapsed = time_step;
     if (!continues) continue;
     FingerOutput& now = finger.state_.output;
     now.slip_work += before.slip_work;
@@ -216,8 +222,24 @@ void Grasp::commit(std::span<const DevicePose> devices, double time_step, bool c
 }
 
 /// A refused step: nothing moves, and every finger holds its last output.
-void Grasp::mark_invalid(Fault fault) noexcept {
-  for (SoftFinger& finger : fingers_) finger.mark_invalid(fault);
+void Grasp::mark_invalid(Fault fault, double time_step) noexcept {
+  for (SoftFinger& finger : fingers_) finger.mark_invalid(fault, time_step);
+}
+
+/// A body may leave a device behind at any speed: so its own motion tells a jump, in the frame of the body before the
+/// step. Other samples pass at any speed, which an infinite time allows.
+void Grasp::compare_places(std::span<const DevicePose> devices, double time_step) noexcept {
+  for (std::size_t i = 0; i < fingers_.size() && i < devices.size(); ++i) {
+    const DevicePose device = to_body(state_, devices[i]);
+    FingerState& state = fingers_[i].state_;
+    // After a bad sample the body has moved on since the last good one.
+    const double body_speed = state.faults.elapsed > 0.0
+                                  ? state_.velocity.norm() + state_.angular_velocity.norm() * device.position.norm()
+                                  : 0.0;
+    if (is_in_reach(state.faults, state.sample, device.position, state.faults.elapsed + time_step,
+                    fingers_[i].parameters().max_speed + body_speed))
+      state.faults.elapsed = std::numeric_limits<double>::infinity();
+  }
 }
 
 /// A try with the velocities ξ: its residual is the change of momentum minus the impulse of the loads at the end of the

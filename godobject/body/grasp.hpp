@@ -53,11 +53,11 @@ class Grasp {
   /// Moves the body to a given state in a time [s] ≥ 0 (0: no dampers), and does steps a–c and e. An invalid time, or a
   /// state that is not finite, beyond `farthest` or not of unit length, moves nothing: all fingers are `invalid`, and
   /// name the fault.
-  void carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept;
+  void carry(BodyState state, std::span<const DevicePose> devices, double time_step) noexcept;
 
   /// Puts the body into a state at once and does steps a–c there: fingers that do not touch yet touch down, the springs
-  /// of those that do are loaded. A new scene or episode begins with `reset`.
-  void place(const BodyState& state, std::span<const DevicePose> devices) noexcept;
+  /// of those that do are loaded. No finger is too far from its last place. A new scene or episode begins with `reset`.
+  void place(BodyState state, std::span<const DevicePose> devices) noexcept;
 
   /// Forgets all contacts, and what was dissipated, as after construction. The body stays: `place` puts it where a
   /// scene begins.
@@ -117,7 +117,8 @@ class Grasp {
   [[nodiscard]] Load preview(const BodyState& state, std::span<const DevicePose> devices,
                              double time_step) const noexcept;
   void commit(std::span<const DevicePose> devices, double time_step, bool continues) noexcept;
-  void mark_invalid(Fault fault) noexcept;
+  void mark_invalid(Fault fault, double time_step) noexcept;
+  void compare_places(std::span<const DevicePose> devices, double time_step) noexcept;
   void remember(std::span<const DevicePose> devices) noexcept;
   [[nodiscard]] std::span<const DevicePose> between(std::span<const DevicePose> devices, double fraction) noexcept;
   [[nodiscard]] Attempt attempt(const Vector6& velocities, std::span<const DevicePose> devices, double time_step,

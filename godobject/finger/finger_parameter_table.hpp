@@ -49,17 +49,17 @@ inline constexpr std::array finger_parameter_table = std::to_array<ParameterInfo
      "A sliding finger comes to rest within the sliding limit divided by 1 + this*(mu/mu_d - 1) [1]; 0: within the "
      "sliding limit",
      true},
-    {"max_displacement",
-     &FingerParameters::max_displacement,
-     "m",
+    {"max_speed",
+     &FingerParameters::max_speed,
+     "m/s",
      {std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::infinity(), "a number > 0, or inf"},
-     "A larger jump between two samples [m] is a fault of the device: one sample is invalid",
+     "A finger faster than this [m/s] since the last good sample is a fault of the device (default 5; inf: never)",
      true},
     {"fault_decay",
      &FingerParameters::fault_decay,
      "1",
      {0.0, 1.0, "a number from 0 to 1"},
-     "Fraction of load, force and moment [1] that an invalid sample keeps from an invalid one before it: 0.99 fades, 1 "
+     "Fraction of load, force and moment [1] that an invalid sample keeps from an invalid one before it: 0.95 fades, 1 "
      "holds",
      true},
 });

@@ -4,6 +4,7 @@
 #include "godobject/finger.hpp"
 #include "godobject/surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -29,35 +30,30 @@ struct StepInput {
   }
 };
 
-/// Whether a vector or a quaternion is of unit length; a NaN is not.
-template <class Vector>
-[[nodiscard]] bool is_unit(const Vector& vector) noexcept {
-  return std::fabs(vector.squaredNorm() - 1.0) <= 1e-6;
-}
-
 /// The contact of a device's pose, and its spin. If the pose is none, `fault` names the reason, and the contact is not
 /// plausible; the surface is not called, because it requires a finite position.
 [[nodiscard]] inline StepInput sense(const AnySurface& surface, const DevicePose& device, double time_step,
                                      const FingerState& last, bool may_begin = true) noexcept {
-  if (!is_plausible<double>(device.position.squaredNorm()) || !is_unit(device.orientation)) {
-    const bool is_finite = device.position.allFinite() && device.orientation.coeffs().allFinite();
+  Orientation orientation = device.orientation;
+  const bool is_turn = make_unit(orientation);
+  if (!is_plausible<double>(device.position.squaredNorm()) || !is_turn) {
+    const bool is_finite = device.position.allFinite() && orientation.coeffs().allFinite();
     const Contact none{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
-    const Fault fault = !is_finite                    ? Fault::not_finite
-                        : is_unit(device.orientation) ? Fault::too_far
-                                                      : Fault::orientation;
+    const Fault fault = !is_finite ? Fault::not_finite : is_turn ? Fault::too_far : Fault::orientation;
     return {none, device.twist, time_step, last.spin, fault, may_begin};
   }
-  const Contact contact = surface.contact(device.position, last.contact);
-  return {contact,     device.twist, time_step, last.spin.moved(device.orientation, contact.normal),
-          Fault::none, may_begin};
+  Contact contact = surface.contact(device.position, last.contact);
+  make_unit(contact.normal);
+  return {contact, device.twist, time_step, last.spin.moved(orientation, contact.normal), Fault::none, may_begin};
 }
 
 /// The same with a contact that other code found, or of which it gives the load.
-[[nodiscard]] inline StepInput sense(const Contact& contact, const Orientation& orientation, double time_step,
+[[nodiscard]] inline StepInput sense(const Contact& contact, Orientation orientation, double time_step,
                                      const FingerState& last, std::optional<double> load = {}) noexcept {
   StepInput input{contact, 0.0, time_step, last.spin, Fault::none, true, load};
-  if (is_unit(orientation)) {
-    input.spin = last.spin.moved(orientation, contact.normal);
+  make_unit(input.contact.normal);
+  if (make_unit(orientation)) {
+    input.spin = last.spin.moved(orientation, input.contact.normal);
   } else {
     input.contact.depth = std::numeric_limits<double>::quiet_NaN();
     input.fault = orientation.coeffs().allFinite() ? Fault::orientation : Fault::not_finite;
@@ -65,32 +61,45 @@ template <class Vector>
   return input;
 }
 
-/// Checks that what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and within
-/// `max_displacement` of the last good position, or of the last refused one. Returns what is not.
-[[nodiscard]] inline Fault accept(FingerFaults& faults, const StepInput& input, const FingerSample& last,
-                                  double max_displacement) noexcept {
+/// Whether a position [m] could be reached at `max_speed` since the last good sample, or since the refused one.
+[[nodiscard]] inline bool is_in_reach(const FingerFaults& faults, const FingerSample& last,
+                                      const Eigen::Vector3d& position, double elapsed, double max_speed) noexcept {
+  const auto is_near = [&](const Eigen::Vector3d& from, double time) {
+    const double reach = max_speed * std::max(time, 1e-3);
+    return (position - from).squaredNorm() <= reach * reach;
+  };
+  return is_near(last.position(), elapsed) ||
+         (faults.refused && is_near(faults.refused_at, elapsed - faults.refused_after));
+}
+
+/// Normalises the normal, and checks that what was sensed is plausible: finite, a direction, a time step ≥ 0, and no
+/// faster than `max_speed` since the last good sample, or since the refused one. Returns what is not.
+[[nodiscard]] inline Fault accept(FingerFaults& faults, StepInput& input, const FingerSample& last,
+                                  double max_speed) noexcept {
+  if (is_time_step(input.time_step)) faults.elapsed += input.time_step;
   const Contact& contact = input.contact;
   const double square = contact.point.squaredNorm() + contact.depth * contact.depth + input.twist * input.twist;
-  if (!is_plausible<double>(square) || !is_unit(contact.normal) || !is_time_step(input.time_step)) {
+  const bool is_direction = make_unit(input.contact.normal);
+  if (!is_plausible<double>(square) || !is_direction || !is_time_step(input.time_step)) {
     if (input.fault != Fault::none) return input.fault;
     const bool is_finite = contact.point.allFinite() && contact.normal.allFinite() && std::isfinite(contact.depth) &&
                            std::isfinite(input.twist);
     return !is_finite                      ? Fault::not_finite
            : !is_plausible<double>(square) ? Fault::too_far
-           : !is_unit(contact.normal)      ? Fault::normal
+           : !is_direction                 ? Fault::normal
                                            : Fault::time_step;
   }
   const Eigen::Vector3d position = contact.point - contact.normal * contact.depth;
-  const double limit = max_displacement * max_displacement;
-  if (!faults.seen || (position - last.position()).squaredNorm() <= limit) {
+  if (!faults.seen || contact.landed || is_in_reach(faults, last, position, faults.elapsed, max_speed)) {
     faults.refused = false;
     faults.seen = true;
+    faults.elapsed = 0.0;
     return Fault::none;
   }
-  const bool is_there_again = faults.refused && (position - faults.refused_at).squaredNorm() <= limit;
-  faults.refused = !is_there_again;
+  faults.refused = true;
   faults.refused_at = position;
-  return is_there_again ? Fault::none : Fault::displacement;
+  faults.refused_after = faults.elapsed;
+  return Fault::speed;
 }
 
 /// The next good sample. In a contact that continues, the twist is unwrapped; it is the device's bit for bit as long as

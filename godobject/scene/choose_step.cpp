@@ -115,8 +115,7 @@ FingerParameters parameters_of(const Scene& scene) {
   result.mu_r = scene.mu_r;
   result.stiffness = scene.stiffness;
   result.twist_stiffness = scene.twist_stiffness;
-  result.max_displacement =
-      std::numeric_limits<double>::infinity();  // the scene's own scale: a leg may be 5 μP/k_l long
+  result.max_speed = std::numeric_limits<double>::infinity();  // the scene's own scale: a leg may be 5 μP/k_l long
   return result;
 }
 

@@ -118,7 +118,7 @@ FingerParameters finger_parameters(const PivotOptions& options, const FingerCurv
     }
     result.twist_stiffness = options.stiffness * arm * arm;
   }
-  result.max_displacement =
+  result.max_speed =
       std::numeric_limits<double>::infinity();  // the fingers are as deep as load and stiffness make them
   result.damping = options.damping;
   result.twist_damping = options.twist_damping.value_or(options.damping * result.twist_stiffness / result.stiffness);

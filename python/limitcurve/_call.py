@@ -139,6 +139,8 @@ class Call:
     def option(self, name: str, value: Any) -> None:
         """Adds an option, `name` in Python's spelling; leaves out None and False."""
         if isinstance(value, (np.generic, np.ndarray)) and value.ndim == 0:
+            if value.dtype.kind in "mMc" or np.ma.is_masked(value):
+                raise ValueError(f"{name}: got {value!r}, expected a number")
             value = value.item()
         if value is None or value is False:
             return

@@ -143,7 +143,7 @@ def test_arrays_of_a_wrong_length_or_kind_are_named():
         batch.update(0, 0, 0, 0, math.nan)
     with pytest.raises(ValueError, match="a batch has no dampers"):
         lc.Batch(table, 5, damping=1)
-    for fault in ({"max_displacement": 0.1}, {"fault_decay": 0.5}):
+    for fault in ({"max_speed": 0.1}, {"fault_decay": 0.5}):
         with pytest.raises(ValueError,
                            match=f"^{list(fault)[0]}: expected none, a batch refuses no jump and fades no output"):
             lc.Batch(table, 5, **fault)

@@ -351,6 +351,9 @@ def test_friction_has_a_memory_and_limits_while_it_slides():
     given, memory = {"limit": 1.2, "radius": 0.006, "stiffness_ratio": 25000}, lc.FrictionMemory()
     result = lc.apply_friction(TABLE, 2.4, 0.0, **given, memory=memory)
     assert result.slips and result.force_fraction == pytest.approx(0.5, rel=1e-12) and memory.force_slides
+    for radius in (0, 1e-80, 1e-30):
+        result = lc.apply_friction(TABLE, 2.4, 1e-3, limit=1.2, radius=radius, stiffness_ratio=25000)
+        assert result.force_fraction == pytest.approx(0.5) and result.moment_fraction == pytest.approx(0)
     result = lc.apply_friction(TABLE, 2.4, 0.0, **given, sliding_limit=0.6, sliding_radius=0.012)
     assert result.slips and result.force_fraction == pytest.approx(0.25, rel=1e-12)
     for wrong in ({"sliding_limit": 0.6, "sliding_radius": 0.013}, {"moment_stick_fraction": -0.1}):

@@ -178,6 +178,13 @@ static void fingers(void) {
   CHECK(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed) == LIMITCURVE_INVALID);
   held.radius_law = NULL;
   CHECK(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed) == LIMITCURVE_INVALID);
+  limitcurve_finger_parameters zeros;
+  memset(&zeros, 0, sizeof zeros);
+  CHECK(limitcurve_table_load_to_hold(table, &zeros, forces, moments, 2, needed) == LIMITCURVE_INVALID);
+  CHECK(strstr(limitcurve_error(), "limitcurve_finger_defaults()") != NULL);
+  zeros = limitcurve_finger_defaults();
+  zeros.mu_r = 0.002; /* beside the default radius_law */
+  CHECK(limitcurve_table_load_to_hold(table, &zeros, forces, moments, 2, needed) == LIMITCURVE_INVALID);
   held.mu_r = 0.6 * 0.004; /* as measured */
   CHECK(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed) == LIMITCURVE_OK &&
         fabs(needed[1] - 2) < 1e-5);

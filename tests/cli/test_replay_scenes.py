@@ -21,7 +21,7 @@ class Scenes(CommandLineTest):
         plain = run("replay", "--trace", path, *FINGER).stdout
         self.assertEqual(plain.split("\n", 1)[0], COLUMNS)
         for options in [["--surface", "plane"], ["--body", "fixed"], ["--fingers", "1"], ["--damping", "0"],
-                        ["--max-displacement", "inf"], ["--fault-decay", "1"]]:
+                        ["--max-speed", "inf"], ["--fault-decay", "1"]]:
             self.assertEqual(run("replay", "--trace", path, *FINGER, *options).stdout, plain, options)
         self.assertEqual(header("replay", "--trace", path, *FINGER, "--details"), COLUMNS + self.DETAILS)
         for more, less in zip(self.replay_of(path, "--details"), self.replay_of(path)):

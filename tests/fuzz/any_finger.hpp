@@ -39,9 +39,9 @@ inline godobject::FingerParameters any_parameters(Bytes& bytes) {
     result.twist_damping = std::fabs(any_double(bytes, raw(4), 1e-3));
   }
   // Accept every jump: jumps are the hard cases.
-  result.max_displacement = std::numeric_limits<double>::infinity();
+  result.max_speed = std::numeric_limits<double>::infinity();
   if (raw(7)) {
-    result.max_displacement = std::fabs(any_double(bytes, raw(0), 0.1));
+    result.max_speed = std::fabs(any_double(bytes, raw(0), 0.1));
     result.fault_decay = std::fabs(any_double(bytes, raw(4), 1.0));
   }
   return result;

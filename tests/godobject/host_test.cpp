@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a host with collisions of its own needs: orientations, a body that moves, materials of the touched object.
-#include "tests/godobject/scene.hpp"
+#include "godobject/surfaces/surfaces.hpp"
+#include "tests/godobject/random_scene.hpp"
 #include "tests/real_time_guard.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -209,6 +211,89 @@ TEST(Host, AChangeNeitherAllocatesNorFrees) {
   EXPECT_EQ(changed, 300);
 }
 #endif
+
+Vector3d rounded(const Vector3d& vector, double unit) {
+  return (vector / unit).array().round() * unit;
+}
+
+// What hosts send, all at once: float poses that nobody normalises, normals of four decimals, encoders of 10 um, uneven
+// and repeated time steps, contacts lost and found without steps in the air, other bodies and materials, and a fault
+// now and then. A sample is invalid where there is a fault and nowhere else, the limit holds, and no step stores or
+// dissipates more than the held force was worth, plus what a sampled spring adds.
+TEST(Host, TheWorldAsItIs) {
+  std::array<int, 4> seen{};
+  for_each_choice(64, [&](const Choice& choice, Random& random) {
+    FingerParameters with = choice.parameters.finger;
+    with.max_speed = FingerParameters{}.max_speed;
+    SoftFinger finger(make_finger_curve(choice.curve.kind, hertz(), 1e-6), with, choice.curve.projection);
+    const AnySurface& surface = choice.surface.surface;
+    RandomDevice device(surface, random);
+    BodyPose body;
+    Eigen::Quaternionf wrist(random_orientation(random).cast<float>());
+    double time = 0.0;
+    double taken = -1.0;  // energy of the springs after the last good sample; < 0: none
+    FingerOutput last;
+    FingerSample before;
+    for (int i = 0; i < repetitions(2000, 200); ++i) {
+      const std::size_t chance = random.below(400);
+      double step = chance < 20 ? 0.0 : chance == 20 ? 0.01 : random.uniform(2e-4, 1.8e-3);
+      time += step;
+      if (chance == 21 || random.below(300) == 0) {  // another body, or another place after a while
+        finger.reset();
+        taken = -1.0;
+        device = RandomDevice(surface, random);
+        wrist = random_orientation(random).cast<float>();
+        time = 0.0;
+        body = {random.vector(0.3), random_orientation(random)};
+        body.orientation.coeffs() = (body.orientation.coeffs() * 1e4).array().round() / 1e4;
+      }
+      body.position += random.vector(1e-5);
+      wrist = Eigen::Quaternionf(Eigen::AngleAxisf(0.02F, Eigen::Vector3f::UnitX())) * wrist;
+      const DevicePose hand = device.at(0.2 + time);  // it does not rest
+      Contact contact = surface.contact(rounded(hand.position, 1e-5), finger.state().contact);
+      const ContactMemory memory = contact.memory;
+      contact.point = body.to_world(contact.point).cast<float>().cast<double>();
+      contact.normal = rounded(body.out_of_body() * contact.normal, 1e-4);
+      Orientation orientation = wrist.cast<double>();
+      Fault fault = Fault::none;
+      const auto is_fault = [&](std::size_t kind, Fault name) {
+        if (chance == kind) fault = name;
+        return chance == kind;
+      };
+      if (is_fault(22, Fault::not_finite)) contact.depth = nan;
+      if (is_fault(23, Fault::speed)) contact.point.x() += 0.6;
+      if (is_fault(24, Fault::normal)) contact.normal.setZero();
+      if (is_fault(25, Fault::orientation)) orientation = Orientation(2.0, 0.0, 0.0, 0.0);
+      if (is_fault(26, Fault::time_step)) step = -1e-3;
+      if (fault == Fault::speed && !finger.state().faults.seen) continue;
+      FingerParameters other = with;
+      other.mu *= random.uniform(1.0, 1.5);
+      ASSERT_TRUE(random.below(50) != 0 || finger.change(other));
+      contact = to_body(body, contact);
+      contact.memory = memory;
+      const FingerOutput output = finger.update(contact, to_body(body, orientation), step);
+      ASSERT_EQ(to_string(output.fault), to_string(fault)) << i;
+      ++seen[static_cast<std::size_t>(output.state)];
+      if (fault != Fault::none) continue;
+      const FingerState& state = finger.state();
+      ASSERT_LE(output.force.norm(), 1.5 * with.mu * state.limit_load * (1.0 + 1e-9)) << i;
+      const double energy = finger.spring_energy();
+      const Vector3d way = state.sample.position() - before.position();
+      const double turn = state.sample.angle - before.angle;
+      if (taken >= 0.0 && with.damping == 0.0) {
+        const double worth = -last.whole_force().dot(way) - last.moment * turn +
+                             0.5 * with.stiffness * way.squaredNorm() + 0.5 * with.twist_stiffness * turn * turn;
+        // A normal within 1e-6 of unit length keeps its bits.
+        const double rounding = 1e-12 + 4e-6 * last.whole_force().norm() * way.norm();
+        ASSERT_LE(energy - taken + output.slip_work, worth + rounding) << i << ' ' << to_string(output.state);
+      }
+      taken = energy;
+      last = output;
+      before = state.sample;
+    }
+  });
+  for (const int times : seen) EXPECT_GE(times, 100);
+}
 
 }  // namespace
 }  // namespace limitcurve::godobject::test

@@ -43,6 +43,7 @@ inline FingerParameters parameters(double mu = 0.6, double radius = 0.005, doubl
   result.radius_law = RadiusLaw::constant(radius);
   result.stiffness = stiffness;
   result.twist_stiffness = twist_stiffness;
+  result.max_speed = 500.0;  // tests jump: 0.5 m in a millisecond
   return result;
 }
 

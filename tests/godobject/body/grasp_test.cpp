@@ -315,6 +315,24 @@ TEST(Grasp, SurvivesBadDevices) {
   EXPECT_LT(grasp.body().velocity.y(), -0.09);
 }
 
+// A body that falls leaves the device behind at any speed; the device's own jump is a fault.
+TEST(Grasp, ABodyThatFallsIsNoJumpOfTheDevice) {
+  FingerParameters with = parameters();
+  with.max_speed = FingerParameters{}.max_speed;
+  Grasp grasp = make_grasp(BodyParameters::block(0.1, edges), edges, with, ellipse, 1);
+  for (int i = 0; i < 3000; ++i) {
+    // Its frame may be rounded, too.
+    const DevicePose device{{0.0, 0.0, i == 2500 ? 1.1 : 0.1}, {0.9998, 0.0, 0.0, 0.0}};
+    grasp.step({&device, 1}, 1e-3);
+    ASSERT_EQ(grasp.finger(0).output().fault, i == 2500 ? Fault::speed : Fault::none) << i;
+  }
+  EXPECT_LT(grasp.body().velocity.z(), -29.0);
+  BodyState rounded;
+  rounded.orientation = Orientation(0.707107, 0.0, 0.0, 0.707);
+  grasp.place(rounded, {});
+  EXPECT_NEAR(grasp.body().orientation.norm(), 1.0, 1e-15);
+}
+
 // What comes after a reset is what comes after construction, to the bit; `place` keeps the springs of fingers that
 // touch.
 TEST(Grasp, ResetStartsAnew) {

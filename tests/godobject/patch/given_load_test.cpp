@@ -258,7 +258,6 @@ TEST(GivenLoad, NoLoadIsFreeAndABadOneIsAFault) {
   }
   EXPECT_EQ(at(nan, 2.0).fault, Fault::not_finite);
   EXPECT_EQ(at(1e-3, 2.0, -1.0).fault, Fault::time_step);
-  EXPECT_EQ(at(0.7, 2.0).fault, Fault::displacement);
   EXPECT_EQ(finger.update_under_load({1e-3, 0.0, 0.0}, 1.1 * up, 2.0, 0.0).fault, Fault::normal);
   EXPECT_EQ(finger.update_under_load({1e-3, 0.0, 0.0}, up, 2.0, Orientation(1.1, 0.0, 0.0, 0.0)).fault,
             Fault::orientation);

@@ -135,6 +135,7 @@ std::vector<Eigen::Vector3d> felt(const Scene& scene, SoftFinger finger, const s
 /// The finger of a candidate's name, as in the manual of `choose`.
 SoftFinger named_finger(const Scene& scene, const Candidate& candidate) {
   FingerParameters finger;
+  finger.max_speed = infinity;
   finger.mu = scene.mu;
   finger.radius_law = scene.radius_law;
   finger.mu_r = scene.mu_r;
