@@ -19,7 +19,7 @@ class GrippedBlock {
   /// Begins level and at rest, under a load of each finger [N]: the springs just carry the block's weight. Call it
   /// once.
   void take(double load) noexcept;
-  /// One time step [s] under a load of each finger [N].
+  /// One time step [s] > 0 under a load of each finger [N]. Bad ones move nothing, as in Grasp.
   void step(double load, double time_step) noexcept;
   /// Goes on with copies of another finger, which take over the state of the current ones.
   void change_fingers(const SoftFinger& finger);

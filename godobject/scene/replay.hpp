@@ -72,7 +72,8 @@ class Replay {
 
   /// Steps to the next sample: time [s], a pose for each finger (a missing one counts as far away), and the pose of the
   /// body, used if its motion is prescribed. If the time is not finite or earlier than the last, or the body's pose is
-  /// not valid, all fingers are `invalid` and nothing moves. If a finger's pose is not finite, that finger is
+  /// not valid, all fingers are `invalid` and nothing moves; if the next time goes on from the earlier one, it is
+  /// taken. If a finger's pose is not finite, that finger is
   /// `invalid`. `SceneContact::fault` names the reason.
   void step(double time, std::span<const DevicePose> fingers, const BodyPose& body = {}) noexcept;
 
@@ -95,6 +96,7 @@ class Replay {
   std::vector<SceneContact> contacts_;
   BodyMotion motion_;
   double last_time_ = -std::numeric_limits<double>::infinity();
+  double earlier_time_ = std::numeric_limits<double>::infinity();  ///< of the last sample, if it was refused for it
 };
 
 }  // namespace limitcurve::godobject

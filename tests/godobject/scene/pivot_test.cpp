@@ -174,6 +174,24 @@ TEST(GrippedBlock, GoesOnWithOtherFingers) {
   EXPECT_GT(angle, 0.1);
 }
 
+// A bad step moves nothing, and is over with the next.
+TEST(GrippedBlock, RecoversFromBadSteps) {
+  FingerParameters with = parameters(1.67, 0.01, 1000.0, 0.037);
+  with.damping = 1.0;
+  GrippedBlock block(PivotOptions{}, hertz_finger(with));
+  block.take(0.5);
+  block.step(0.4, 1e-3);
+  for (const auto& [load, time_step] : {std::pair{0.4, 0.0}, {0.4, nan}, {0.4, -1e-3}, {infinity, 1e-3}, {nan, 1e-3}}) {
+    GrippedBlock same = block;
+    block.step(load, time_step);
+    EXPECT_EQ(block.grasp().finger(0).output().state, ContactState::invalid);
+    block.step(0.4, 1e-3);
+    same.step(0.4, 1e-3);
+    EXPECT_NE(block.grasp().finger(0).output().state, ContactState::invalid);
+    EXPECT_NEAR(block.grasp().finger(0).output().load, same.grasp().finger(0).output().load, 0.05);  // undamped once
+  }
+}
+
 TEST(Pivot, NamesWhatIsWrongWithItsOptions) {
   const auto refused = [](auto change, const char* told) {
     PivotOptions options;

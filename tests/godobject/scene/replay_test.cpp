@@ -176,6 +176,24 @@ TEST(Replay, HeldForceAndNormalTurnWithTheBody) {
   }
 }
 
+// After a time stamp far ahead, or behind, one sample is refused: the rest go on by their own steps.
+TEST(Replay, GoesOnAfterOneWrongTime) {
+  for (const double wrong : {1e6, -1.0}) {
+    ReplayOptions with = options();
+    with.finger.damping = 1.0;
+    Replay replay(with);
+    Replay same(with);
+    int refused = 0;
+    for (int i = 0; i < 40; ++i) {
+      const DevicePose finger{{1e-5 * i, 0.0, -0.002}};
+      refused += moved(replay, i == 20 ? wrong : 1e-3 * i, finger).state == ContactState::invalid;
+      const SceneContact expected = moved(same, 1e-3 * i, finger);
+      EXPECT_NEAR(replay.contacts().front().force.x(), expected.force.x(), i > 30 ? 1e-12 : 1.0);
+    }
+    EXPECT_EQ(refused, 1) << wrong;
+  }
+}
+
 TEST(Replay, NamesWhatIsWrongWithItsOptions) {
   const auto refused = [](auto change, const char* told) {
     ReplayOptions with = options();
