@@ -22,6 +22,8 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace limitcurve::cli {
 
@@ -86,7 +88,15 @@ std::string details_text() {
 /// The samples that are invalid for one reason.
 struct Refused {
   std::size_t count = 0;
-  double since = 0.0;  ///< time of the first [s]
+  double since = 0.0;  ///< time of the first [s] …
+  double after = 0.0;  ///< … and of the sample before it
+};
+
+/// A row of the trace.
+struct Sample {
+  double time;
+  std::vector<godobject::DevicePose> fingers;
+  godobject::BodyPose body;
 };
 
 class Replay final : public Subcommand {
@@ -149,7 +159,7 @@ class Replay final : public Subcommand {
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
         "b=NUMBER[,b_r=NUMBER][,T=SECONDS][,delay=SAMPLES]: reject gains that are not passive on a device with this "
         "damping [N s/m, "
-        "N m s/rad], sample time (default: the longest of the trace) and delay (most devices: 1)",
+        "N m s/rad], sample time (default: each step of the trace) and delay (most devices: 1)",
         Presence::optional);
     options.flag("--details", details_, "Add columns for a controller: " + details_text());
     options.rare();
@@ -171,7 +181,7 @@ class Replay final : public Subcommand {
       throw std::invalid_argument("--radius-law is required, unless --mu-r is given");
     }
     columns_.messages = results.messages;
-    check_gains(*results.messages);
+    if (device_ && !reads_ahead()) godobject::require_passive(replay_.finger, sample_time_, *device_, delay_);
     const BodyArgument body = body_argument();
     const bool in_space = !on_plane_ || body.motion != BodyMotion::fixed || fingers_ > 1;
     replay_.surface = surface_.surface;
@@ -231,29 +241,20 @@ class Replay final : public Subcommand {
     device_ = device;
   }
 
-  /// The longest time from a sample of the trace to the next [s].
-  [[nodiscard]] double longest_step() const {
-    const auto refuse = [](const char* why) {
-      return std::invalid_argument(std::string("--check-gains: T is not given, and ") + why);
-    };
-    if (trace_ == "-") throw refuse("a trace from standard input is read once; expected T=SECONDS");
-    CsvReader reader(trace_, {"time"});
-    double longest = 0.0;
-    double last = std::numeric_limits<double>::infinity();
-    while (reader.next()) {
-      const double time = reader.number(0, finite);
-      longest = std::max(longest, time - last);
-      last = time;
-    }
-    if (!(longest > 0.0)) throw refuse("the times of the trace do not grow; expected T=SECONDS");
-    return longest;
-  }
+  /// Whether the gains must be checked against the steps of the trace, which is read in advance then.
+  [[nodiscard]] bool reads_ahead() const { return device_ && sample_time_ == 0.0; }
 
-  void check_gains(Messages& messages) const {
-    if (!device_) return;
-    godobject::require_passive(replay_.finger, sample_time_ > 0.0 ? sample_time_ : longest_step(), *device_, delay_);
-    if (std::isinf(device_->twist))
-      messages.say("limitcurve: note: --check-gains: without b_r the twist is not checked");
+  /// A step back in time is a gap: the sample is refused.
+  void check_gains(const std::vector<Sample>& samples) const {
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      const double step = samples[i].time - samples[i - 1].time;
+      steps.push_back(step > 0.0 && step <= godobject::Replay::longest_step ? step
+                                                                            : std::numeric_limits<double>::infinity());
+    }
+    if (std::all_of(steps.begin(), steps.end(), [](double step) { return std::isinf(step); }))
+      throw std::invalid_argument("--check-gains: the trace has no time steps up to 1 s, expected T=SECONDS");
+    godobject::require_passive(replay_.finger, steps, *device_, delay_);
   }
 
   static void note_missing_twists(Messages& messages, const TraceReader& trace) {
@@ -266,6 +267,24 @@ class Replay final : public Subcommand {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed, columns_);
     note_missing_twists(*results.messages, trace);
     results.messages->say(surface_.notes);
+    const bool is_free = replay_.motion == BodyMotion::free;
+    double last = std::numeric_limits<double>::infinity();
+    const auto next = [&] {
+      if (!trace.next()) return false;
+      const double step = trace.time() - std::exchange(last, trace.time());
+      if (is_free && step > godobject::Replay::longest_step) {
+        throw trace.complaint("a gap of " + format_number(step) + " s, expected at most " +
+                              format_number(godobject::Replay::longest_step) + " s for a free body");
+      }
+      if (reads_ahead() && step == 0.0)
+        throw trace.complaint("--check-gains: the time of the last sample again, expected T=SECONDS, the device's");
+      return true;
+    };
+    std::vector<Sample> ahead;
+    while (reads_ahead() && next()) ahead.push_back({trace.time(), trace.fingers(), trace.body()});
+    if (reads_ahead()) check_gains(ahead);
+    if (device_ && std::isinf(device_->twist))
+      results.messages->say("limitcurve: note: --check-gains: without b_r the twist is not checked");
     godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact && !replay_.patch) {
       std::string text = "limitcurve: exact: a table with an error of at most " +
@@ -275,7 +294,6 @@ class Replay final : public Subcommand {
       }
       results.messages->say(text);
     }
-    const bool is_free = replay_.motion == BodyMotion::free;
     std::vector<std::string> names{"time"};
     for (std::size_t i = 0; i < fingers_; ++i) {
       const std::string suffix = i == 0 ? "" : std::to_string(i + 1);
@@ -284,30 +302,26 @@ class Replay final : public Subcommand {
     }
     if (is_free) names.insert(names.end(), {"bx", "by", "bz", "bqw", "bqx", "bqy", "bqz"});
     Rows rows(results, names);
-    double last = std::numeric_limits<double>::infinity();
     std::array loads{std::numeric_limits<double>::infinity(), 0.0};
     std::map<godobject::Fault, Refused> refused;
-    while (trace.next()) {
+    double before = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; reads_ahead() ? i < ahead.size() : next(); ++i) {
       if (trace.share()) results.messages->progress(*trace.share());
-      if (is_free && trace.time() - last > godobject::Replay::longest_step) {
-        throw trace.complaint("a gap of " + format_number(trace.time() - last) + " s, expected at most " +
-                              format_number(godobject::Replay::longest_step) + " s for a free body");
-      }
-      last = trace.time();
+      const Sample sample = reads_ahead() ? std::move(ahead[i]) : Sample{trace.time(), trace.fingers(), trace.body()};
       const std::size_t unsolved = replay.unsolved();
-      replay.step(trace.time(), trace.fingers(), trace.body());
+      replay.step(sample.time, sample.fingers, sample.body);
       if (replay.unsolved() > unsolved) {
-        results.messages->say("limitcurve: time " + format_number(trace.time()) +
+        results.messages->say("limitcurve: time " + format_number(sample.time) +
                               " s: the step of the body was not solved; its momentum is right, its position "
                               "approximate: a smaller time step may help");
       }
       rows.row_by([&](const auto& cell) {
-        cell(trace.time());
+        cell(sample.time);
         for (const SceneContact& contact : replay.contacts()) {
           cell(godobject::to_string(contact.state));
           columns.cells(contact, cell);
           if (contact.fault != godobject::Fault::none && refused[contact.fault].count++ == 0)
-            refused[contact.fault].since = trace.time();
+            refused[contact.fault] = {1, sample.time, before};
           if (contact.load > 0.0) loads = {std::min(loads[0], contact.load), std::max(loads[1], contact.load)};
         }
         if (!is_free) return;
@@ -315,12 +329,14 @@ class Replay final : public Subcommand {
         const Eigen::Quaterniond& turn = replay.body().orientation;
         for (const double part : {turn.w(), turn.x(), turn.y(), turn.z()}) cell(part);
       });
+      before = sample.time;
     }
     rows.finish();
     for (const auto& [fault, samples] : refused) {
-      results.messages->say("limitcurve: note: " + std::to_string(samples.count) +
-                            (samples.count == 1 ? " sample" : " samples") + " invalid, from time " +
-                            format_number(samples.since) + " s on: " + std::string(to_string(fault)));
+      results.messages->say(
+          "limitcurve: note: " + std::to_string(samples.count) + (samples.count == 1 ? " sample" : " samples") +
+          " invalid, from time " + format_number(samples.since) + " s on: " + std::string(to_string(fault)) +
+          (fault == godobject::Fault::time_step ? ", after " + format_number(samples.after) + " s" : ""));
     }
     // Without any contact, check at 1 N.
     if (loads[1] == 0.0) loads = {1.0, 1.0};

@@ -3,6 +3,8 @@
 
 #include "../finger.hpp"
 
+#include <span>
+
 namespace limitcurve::godobject {
 
 // Passivity of a finger's gains at a sample time; offline. A sampled spring holds its force half a sample too long, and
@@ -18,6 +20,14 @@ namespace limitcurve::godobject {
 /// also with a delay: no path gained more (energy_search_test). If the device also rotates while the normal turns, it
 /// gains at most |M| |Δn| |Δφ|/2 more in a sample, because a held moment keeps its direction.
 [[nodiscard]] double device_damping_needed(double stiffness, double damping, double sample_time,
+                                           int delay = 0) noexcept;
+
+/// The same for time steps [s] > 0 that differ; an infinite one is a gap between two traces. A damper's force of one
+/// step is held through the next. So step i needs k t_i/2 + |b|/2 (√(t_i+1/t_i) + √(t_i/t_i−1)), the sum of a row of
+/// the tridiagonal form of the energy, and this is the largest: sufficient always, exact for even steps. The first and
+/// the last step of a trace count at least as even ones do. With a delay the result is a bound, (N + ½)k times
+/// the longest step plus the largest part of the damper, unless the steps are even.
+[[nodiscard]] double device_damping_needed(double stiffness, double damping, std::span<const double> steps,
                                            int delay = 0) noexcept;
 
 /// The longest delay that is checked [samples].
@@ -45,10 +55,15 @@ struct DeviceDamping {
 /// The damping that a finger's springs and dampers need at a sample time [s] > 0 with a delay in samples. Throws
 /// std::invalid_argument for a parameter out of range.
 [[nodiscard]] DeviceDamping device_damping_needed(const FingerParameters& finger, double sample_time, int delay = 0);
+[[nodiscard]] DeviceDamping device_damping_needed(const FingerParameters& finger, std::span<const double> steps,
+                                                  int delay = 0);
 
 /// Throws std::invalid_argument, with the missing damping and what to change, unless a device with this damping is
 /// passive with these gains at this sample time [s] > 0 and delay [samples]. The bound holds for any user; a hand that
 /// damps allows higher gains. An infinite damping leaves a channel unchecked.
 void require_passive(const FingerParameters& finger, double sample_time, const DeviceDamping& device, int delay = 0);
+/// The same for time steps that differ.
+void require_passive(const FingerParameters& finger, std::span<const double> steps, const DeviceDamping& device,
+                     int delay = 0);
 
 }  // namespace limitcurve::godobject

@@ -169,24 +169,24 @@ class Replays(CommandLineTest):
         self.assertEqual(done.stderr.splitlines(), [
             "limitcurve: note: 1 sample invalid, from time 0.006 s on: a coordinate, the depth or the twist is beyond "
             "1e6",
-            "limitcurve: note: 2 samples invalid, from time 0.001 s on: the time goes back or is not finite",
-            "limitcurve: note: 1 sample invalid, from time 0.004 s on: the finger moved by more than the maximum "
-            "displacement"
+            "limitcurve: note: 1 sample invalid, from time 0.001 s on: the time goes back or is not finite, after "
+            "0.005 s",
+            "limitcurve: note: 2 samples invalid, from time 0.004 s on: the finger moved faster than the maximum speed"
         ])
         self.assertEqual(run("replay", "--quiet", "--trace", self.directory / "trace.csv", *FINGER).stderr, "")
 
-    def test_a_leap_beyond_the_maximum_displacement_is_told(self):
+    def test_a_leap_beyond_the_maximum_speed_is_told(self):
         metre = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n"
-        self.assertEqual([row["state"] for row in self.replay(metre, remark="maximum displacement")][3:],
+        self.assertEqual([row["state"] for row in self.replay(metre, remark="maximum speed")][3:],
                          ["slip", "invalid", "slip"])
-        self.assertEqual([row["state"] for row in self.replay(metre, "--max-displacement", "inf")][3:],
+        self.assertEqual([row["state"] for row in self.replay(metre, "--max-speed", "inf")][3:],
                          ["slip", "slip", "slip"])
         for options in [[], ["--details"], ["--surface", "box:x=10,y=10,z=2e-12"]]:
             held = self.replay(metre.replace("1.006", "0.3"),
-                               "--max-displacement",
-                               "0.01",
+                               "--max-speed",
+                               "8",
                                *options,
-                               remark="maximum displacement")
+                               remark="maximum speed")
             self.assertEqual([row["state"] for row in held[3:]], ["slip", "invalid", "slip"], options)
 
 

@@ -11,6 +11,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <numbers>
+#include <vector>
 
 namespace limitcurve::godobject::test::passivity_test {
 namespace {
@@ -148,6 +149,50 @@ TEST(Passivity, ALateForceNeedsWhatTheWorstPaceWins) {
       EXPECT_GE(most, needed * 0.99) << delay << ' ' << damping;
     }
   }
+}
+
+// The energy that a finger gives in uneven steps is a form of the way in each; its largest eigenvalue is what the worst
+// hand gains, and at most what is said to be needed.
+TEST(Passivity, UnevenStepsNeedWhatTheWorstHandGains) {
+  Random random(71);
+  for (const double spread : {1.0, 1.3, 3.0, 20.0, 100.0}) {
+    for (FingerParameters with : choices) {
+      with.mu = 1e6;
+      std::vector<double> steps(40);
+      for (double& step : steps) step = random.logarithmic(1e-3, 1e-3 * spread);
+      const Eigen::Index count = 40;
+      Eigen::MatrixXd form = Eigen::MatrixXd::Zero(count, count);
+      for (Eigen::Index i = 0; i < count; ++i) {
+        const double step = steps[static_cast<std::size_t>(i)];
+        form(i, i) = 0.5 * with.stiffness * step;
+        if (i > 0)
+          form(i, i - 1) = form(i - 1, i) =
+              -0.5 * with.damping * std::sqrt(step / steps[static_cast<std::size_t>(i - 1)]);
+      }
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(form);
+      const double most = solver.eigenvalues()[count - 1];
+      SoftFinger finger = hertz_finger(with);
+      finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+      double x = 0.0, force = 0.0, given = -finger.spring_energy();
+      for (Eigen::Index i = 0; i < count; ++i) {
+        const double step = steps[static_cast<std::size_t>(i)];
+        const double way = 1e-2 * std::sqrt(step) * solver.eigenvectors()(i, count - 1);
+        given += force * way;
+        x += way;
+        force = finger.update(on_plane(x, 0.0, 0.002), 0.0, step).force.x();
+      }
+      given += finger.spring_energy();
+      EXPECT_NEAR(given, 1e-4 * most, 1e-9 * most) << spread;
+      const double needed = device_damping_needed(with, steps).sliding;
+      EXPECT_GE(needed, most * (1.0 - 1e-12)) << spread;
+      EXPECT_LE(needed, most * (with.damping > 0.0 ? 2.5 : 1.0 + 1e-12)) << spread;
+      EXPECT_TRUE(spread > 1.0 || needed == device_damping_needed(with, 1e-3).sliding);
+    }
+  }
+  // With a delay a bound; a gap has no neighbours.
+  const double uneven[] = {1e-3, 4e-3, infinity, 1e-3};
+  EXPECT_DOUBLE_EQ(device_damping_needed(1000.0, 0.4, uneven), 2.4);
+  EXPECT_DOUBLE_EQ(device_damping_needed(1000.0, 0.4, uneven, 1), 6.4);
 }
 
 TEST(Passivity, SaysWhatToChange) {
