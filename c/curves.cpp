@@ -57,6 +57,7 @@ const char* limitcurve_law_name(const limitcurve_law* law) {
 
 limitcurve_status limitcurve_law_moment_ratio(const limitcurve_law* law, double* moment_ratio) {
   if (is_no_handle("law", law) || is_missing("moment_ratio", moment_ratio)) return LIMITCURVE_INVALID;
+  const DefaultArithmetic arithmetic;
   *moment_ratio = law->law->moment_ratio();
   return LIMITCURVE_OK;
 }
@@ -64,6 +65,7 @@ limitcurve_status limitcurve_law_moment_ratio(const limitcurve_law* law, double*
 limitcurve_status limitcurve_law_evaluate(const limitcurve_law* law, const double* cors, size_t count, double* forces,
                                           double* moments, double* force_errors, double* moment_errors) {
   if (is_no_handle("law", law) || refuse_arrays(cors, count, forces, moments)) return LIMITCURVE_INVALID;
+  const DefaultArithmetic arithmetic;
   for (std::size_t i = 0; i < count; ++i) {
     const WrenchEstimate estimate =
         std::isnan(cors[i]) ? WrenchEstimate{{not_a_number, not_a_number}, {not_a_number, not_a_number}, not_a_number}

@@ -4,6 +4,7 @@
 #include "c/limitcurve.h"
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <exception>
 #include <memory>
@@ -31,9 +32,32 @@ inline bool refuse_numbers(const char* name, const double* numbers, std::size_t 
   return true;
 }
 
-/// Runs `work`; turns exceptions into a status and a message.
+/// The floating-point unit's defaults in place of the host's: Mono and Visual C++ let long double count 53 bits only,
+/// others trap or round elsewhere, and stated errors would not hold.
+class DefaultArithmetic {
+ public:
+  DefaultArithmetic() noexcept {
+    std::fegetenv(&host_);
+#ifdef FE_PC64_ENV  // MinGW's default may have 53 bits
+    std::fesetenv(FE_PC64_ENV);
+#else
+    std::fesetenv(FE_DFL_ENV);
+#endif
+  }
+  ~DefaultArithmetic() {
+    std::fesetenv(&host_);
+  }
+  DefaultArithmetic(const DefaultArithmetic&) = delete;
+  DefaultArithmetic& operator=(const DefaultArithmetic&) = delete;
+
+ private:
+  std::fenv_t host_;
+};
+
+/// Runs `work` in default arithmetic; turns exceptions into a status and a message.
 template <class Work>
 limitcurve_status guarded(const Work& work) noexcept {
+  const DefaultArithmetic arithmetic;
   try {
     work();
     return LIMITCURVE_OK;

@@ -18,6 +18,7 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace limitcurve {
@@ -68,7 +69,8 @@ TEST(SameBits, FrictionTakesTheLimitsOfEveryFinger) {
               << load;
           FrictionMemory<double> remembered;
           const FrictionResult<double> expected = apply_friction(
-              same.view(), Projection::closest_point, {at.sticking, at.sliding, at.stiffness_ratio, 0.5, 0.5},
+              same.view(), Projection::closest_point,
+              {at.sticking, at.sliding, at.stiffness_ratio, 0.5, 0.5, has_torsion(at.sticking.radius, 25000.0)},
               FrictionTrial<double>{1.0, 0.01}, remembered);
           ASSERT_EQ(bits(found.force_fraction), bits(expected.force_fraction));
           ASSERT_EQ(bits(found.moment_fraction), bits(expected.moment_fraction));
@@ -333,6 +335,37 @@ TEST(SameBits, StepsOfABatch) {
   limitcurve_table_free(table);
   limitcurve_law_free(law);
 }
+
+#if defined(__x86_64__) && defined(__GNUC__)
+// Mono and Visual C++ set the x87 unit to 53 bits: stated errors and tables are those of this library all the same, and
+// the host's setting stays.
+TEST(SameBits, AHostMayLetLongDoubleBeDouble) {
+  const auto all = [] {
+    limitcurve_law* law = nullptr;
+    limitcurve_table* table = nullptr;
+    const double cor = 0.01;
+    double numbers[3]{};
+    limitcurve_law_parse("power:n=0.3", &law);
+    limitcurve_law_evaluate(law, &cor, 1, &numbers[0], &numbers[1], nullptr, &numbers[2]);
+    EXPECT_EQ(limitcurve_table_build(law, 1e-13, &table), LIMITCURVE_OK);
+    std::string text = limitcurve_table_csv(table);
+    for (const double number : numbers) text += std::to_string(bits(number)) + ' ';
+    limitcurve_table_free(table);
+    limitcurve_law_free(law);
+    return text;
+  };
+  const std::string expected = all();
+  std::uint16_t own = 0, after = 0;
+  const std::uint16_t host = 0x27f;
+  asm volatile("fnstcw %0" : "=m"(own));
+  asm volatile("fldcw %0" : : "m"(host));
+  const std::string found = all();
+  asm volatile("fnstcw %0" : "=m"(after));
+  asm volatile("fldcw %0" : : "m"(own));
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(after, host);
+}
+#endif
 
 }  // namespace
 }  // namespace limitcurve
