@@ -40,6 +40,7 @@ inline godobject::FingerParameters parameters(Skin skin) {
   result.radius_law = skin.radius_grows ? RadiusLaw::power(0.00207, 0.259) : RadiusLaw::constant(0.005);
   result.stiffness = 1000.0;
   result.twist_stiffness = 0.04;
+  result.max_speed = 1e9;  // the workloads jump
   if (skin.damped) {
     result.damping = 1.0;
     result.twist_damping = 4e-5;

@@ -277,7 +277,9 @@ TEST(Host, TheWorldAsItIs) {
       if (fault != Fault::none) continue;
       const FingerState& state = finger.state();
       ASSERT_LE(output.force.norm(), 1.5 * with.mu * state.limit_load * (1.0 + 1e-9)) << i;
-      const double energy = finger.spring_energy();
+      const double twist = output.angle - state.sample.angle;
+      const double energy = 0.5 * with.stiffness * (output.proxy - state.sample.position()).squaredNorm() +
+                            0.5 * with.twist_stiffness * twist * twist;
       const Vector3d way = state.sample.position() - before.position();
       const double turn = state.sample.angle - before.angle;
       if (taken >= 0.0 && with.damping == 0.0) {

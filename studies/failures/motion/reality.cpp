@@ -47,6 +47,7 @@ SoftFinger finger_of_skin() {
   FingerParameters with;
   with.mu = mu;
   with.stiffness = stiffness;
+  with.max_speed = 1e9;  // some jump
   return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
 }
 

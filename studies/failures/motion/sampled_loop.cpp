@@ -22,6 +22,7 @@ SoftFinger finger(double stiffness, double damping, double mu) {
   FingerParameters with;
   with.mu = mu;
   with.stiffness = stiffness;
+  with.max_speed = 1e9;  // some jump
   with.damping = damping;
   return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
 }
