@@ -203,13 +203,18 @@ TEST_P(EveryPatch, SlipsUnderWrenchesAlongTheAxes) {
     const PatchWrench wrench{mx * x, my * y, m0 * spin + cx * my * y - cy * mx * x};
     const auto [slip, gauge, error] = patch.slip(wrench);
     const auto [back, same, also] = patch.slip({-wrench.fx, -wrench.fy, -wrench.moment});
-    EXPECT_LE(std::max(error, also), 1e-9 + 10.0 * bound) << name << x << y << spin;
+    const double own = patch.about_origin(slip).error;  // the table's, of a table
+    EXPECT_LE(std::max(error, also), 1e-9 + 10.0 * bound + 2.0 * own) << name << x << y << spin;
     EXPECT_NEAR(gauge, same, (1e-12 + bound) * gauge) << name << x << y << spin;
     EXPECT_NEAR(load_to_hold(patch, 1.0, wrench), gauge, (1e-12 + bound) * gauge) << name << x << y << spin;
     if (spin != 0.0) continue;
-    EXPECT_NEAR(gauge, std::hypot(x, y), 1e-12 * gauge) << name << x << y;
+    // Slides along x and y are exact in tables, too.
+    const double lost = x != 0.0 && y != 0.0 && name.starts_with("table") ? own : 0.0;
+    EXPECT_NEAR(gauge, std::hypot(x, y), (1e-12 + lost) * gauge) << name << x << y;
     const PatchTwist slide{x / mx / (gauge * gauge), y / my / (gauge * gauge), 0.0};
-    EXPECT_LE(size(patch, {slip.vx - slide.vx, slip.vy - slide.vy, slip.omega}), 1e-9 / std::min(mx, my)) << name;
+    EXPECT_LE(size(patch, {slip.vx - slide.vx, slip.vy - slide.vy, slip.omega}),
+              (1e-9 + 10.0 * lost) / std::min(mx, my))
+        << name;
   }
 }
 
