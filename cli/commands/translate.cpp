@@ -54,6 +54,10 @@ constexpr std::array coefficient_columns = std::to_array<ListedColumn<Translated
     {"two_bodies", of<&Translated::coefficient, &EngineCoefficient::two_bodies>,
      "how the engine combines the values of two bodies"},
 });
+// In a table, or of one engine, the errors are rows, and the note says how two bodies' values combine.
+constexpr std::array narrow_columns = std::to_array<ListedColumn<Translated>>(
+    {coefficient_columns[0], coefficient_columns[1], coefficient_columns[2], coefficient_columns[3],
+     coefficient_columns[4], coefficient_columns[8], coefficient_columns[9]});
 constexpr std::array load_columns = std::to_array<ListedColumn<Translated>>({
     {"low", of<&Translated::coefficient, &EngineCoefficient::low>},
     {"high", of<&Translated::coefficient, &EngineCoefficient::high>,
@@ -87,6 +91,8 @@ class Translate final : public Subcommand {
         "The coefficients give the exact limits of force and moment at --load; between the limits each engine has its "
         "own shape.\n" +
             ColumnList(coefficient_columns).add(load_columns).add(friction_columns).help() +
+            "With --engine, and in a table, the errors are rows, and the note says how two bodies' values combine; "
+            "there are no columns\nof errors and two_bodies.\n"
             "With several values of --mu: the coefficients for each. mu_r follows mu; drawn apart, they are of no "
             "pad.\n"
             "--mu-r R, as it is measured, with --gamma G if it grows with the load: instead of --radius-law.\n"
@@ -197,14 +203,26 @@ class Translate final : public Subcommand {
   /// `translate` gives the contacts of a friction.
   void write(const Results& results,
              const std::function<std::vector<engines::EngineContact>(double)>& translate) const {
-    ColumnList list(coefficient_columns);
+    const bool narrow = !engine_.empty() || (results.format == Format::table && results.columns == nullptr);
+    const bool formula = loads_.empty() || (!engine_.empty() && frictions_.size() == 1);  // if there is room
+    ColumnList list(std::array<ListedColumn<Translated>, 0>{});
+    list.add(narrow ? std::span(narrow_columns).first(formula ? 7 : 6).subspan(engine_.empty() ? 0 : 1)
+                    : std::span(coefficient_columns));
     if (!loads_.empty()) list.add(load_columns);
     if (frictions_.size() > 1) list.add(friction_columns);
     Rows rows(results, list.names());
     for (const double mu : frictions_) {
       for (const engines::EngineContact& contact : translate(mu)) {
         if (!engine_.empty() && contact.engine != engine_) continue;
-        for (const EngineCoefficient& coefficient : contact.coefficients) list.write(rows, {contact, coefficient, mu});
+        for (EngineCoefficient coefficient : contact.coefficients) {
+          if (narrow && !coefficient.two_bodies.empty())
+            coefficient.note += (coefficient.note.empty() ? "two bodies: " : "; two bodies: ") + coefficient.two_bodies;
+          list.write(rows, {contact, coefficient, mu});
+        }
+        for (const auto& error : std::span(coefficient_columns).subspan(5, narrow ? 3 : 0)) {
+          const double size = std::get<double>(error.of({contact, {}, mu}));
+          list.write(rows, {contact, {std::string(error.name), size, "1", "", "", "", size, size}, mu});
+        }
         if (explain_ && mu == frictions_.front()) {
           results.messages->say("limitcurve: note: " + contact.engine + ", " + contact.model + ": " + contact.caveat +
                                 " (" + contact.documentation + ")");

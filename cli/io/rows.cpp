@@ -160,8 +160,13 @@ void Rows::finish() {
   if (results_.columns != nullptr) return;
   if (results_.format == Format::table) {
     write_table();
-    for (std::size_t i = 0; i < remarks_.size(); ++i)
-      results_.output.write('[' + std::to_string(i + 1) + "] " + remarks_[i] + "\n");
+    for (std::size_t i = 0; i < remarks_.size(); ++i) {
+      constexpr std::size_t width = 118;
+      std::string line = '[' + std::to_string(i + 1) + "] " + remarks_[i];
+      for (std::size_t end = 0; line.size() > width && (end = line.rfind(' ', width)) > 4; line.replace(0, end, "   "))
+        results_.output.write(line.substr(0, end) + '\n');
+      results_.output.write(line + '\n');
+    }
   }
   if (results_.format == Format::json) results_.output.write(first_row_ ? "]\n" : "\n]\n");
   results_.output.flush();

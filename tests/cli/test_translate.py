@@ -85,9 +85,27 @@ class Translate(CommandLineTest):
     def test_one_engine(self):
         every = rows(*self.CONTACT)
         for name in {row["engine"] for row in every}:
-            self.assertEqual(rows(*self.CONTACT, "--engine", name), [row for row in every if row["engine"] == name])
+            found, errors = rows(*self.CONTACT, "--engine", name), ("max_error", "cor_error", "loads_error")
+            own = [row for row in every if row["engine"] == name]
+            for column in ("parameter", "value", "unit", "model", "formula"):
+                self.assertEqual([row[column] for row in found if row["parameter"] not in errors],
+                                 [row[column] for row in own])
+            self.assertEqual({(row["model"], row["parameter"], row["value"])
+                              for row in found if row["parameter"] in errors},
+                             {(row["model"], error, row[error])
+                              for row in own for error in errors})
+            combined = [row["note"] for row in found if "two bodies: " in str(row["note"])]
+            self.assertEqual(len(combined), sum(row["two_bodies"] != "" for row in own))
         self.assertEqual(rows(*self.CONTACT, "--engine", "isaac-lab"), rows(*self.CONTACT, "--engine", "isaac"))
         self.assert_fails(2, ["--engine", "'mujcoo'", "mujoco"], *self.CONTACT, "--engine", "mujcoo")
+
+    def test_one_engine_has_eight_columns_and_a_table_120(self):
+        for more in ((), ("--loads", "4,64"), ("--mu", "0.4,0.8"), ("--loads", "4,64", "--mu", "0.4,0.8")):
+            contact = [*self.CONTACT[:5], *self.CONTACT[7:], *((*more, "--mu", "0.8") if "--mu" not in more else more)]
+            self.assertLessEqual(header(*contact, "--engine", "gazebo").count(","), 7)
+            for engine in ((), *(("--engine", row["engine"]) for row in self.facts("engines"))):
+                table = run(*contact, *engine, "--format", "table").stdout
+                self.assertLessEqual(max(map(len, table.splitlines())), 120, (more, engine))
 
     def test_range_of_loads(self):
         """For randomisation: mu_r over the loads, which goes as the radius."""
