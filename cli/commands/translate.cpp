@@ -204,9 +204,12 @@ class Translate final : public Subcommand {
   void write(const Results& results,
              const std::function<std::vector<engines::EngineContact>(double)>& translate) const {
     const bool narrow = !engine_.empty() || (results.format == Format::table && results.columns == nullptr);
-    const bool formula = loads_.empty() || (!engine_.empty() && frictions_.size() == 1);  // if there is room
+    const bool one_mu = frictions_.size() == 1;
+    std::size_t count = 7;  // as many of the narrow columns as fit 120 places, and, of one engine, eight columns
+    if (!loads_.empty() && engine_.empty()) count = one_mu ? 5 : 4;
+    if (!loads_.empty() && !engine_.empty() && !one_mu) count = 6;
     ColumnList list(std::array<ListedColumn<Translated>, 0>{});
-    list.add(narrow ? std::span(narrow_columns).first(formula ? 7 : 6).subspan(engine_.empty() ? 0 : 1)
+    list.add(narrow ? std::span(narrow_columns).first(count).subspan(engine_.empty() ? 0 : 1)
                     : std::span(coefficient_columns));
     if (!loads_.empty()) list.add(load_columns);
     if (frictions_.size() > 1) list.add(friction_columns);
