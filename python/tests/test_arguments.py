@@ -106,32 +106,6 @@ def test_projections_have_either_spelling_and_a_guess():
         lc.SoftFinger(TABLE, projection="closest_pont")
 
 
-def test_a_sensors_own_columns_and_units():
-    load, force, moment = np.array([1.0, 1, 2, 2]), np.array([0.6, 0.02, 1.21, 0.03]), np.array([0, 2.1e-3, 0, 4.3e-3])
-    own = {"Fz": 1000 * load, "Fxy": 1000 * force, "Tz": 1000 * moment}
-    named = lc.fit("ratio",
-                   own,
-                   law="hertz",
-                   columns={
-                       "load": "Fz",
-                       "force": "Fxy",
-                       "moment": "Tz"
-                   },
-                   units={
-                       "force": "mN",
-                       "moment": "Nmm"
-                   },
-                   quiet=True)
-    assert named["value"] == pytest.approx(lc.fit("ratio", {
-        "load": load,
-        "force": force,
-        "moment": moment
-    },
-                                                  law="hertz",
-                                                  quiet=True)["value"],
-                                           rel=1e-12)
-
-
 PATCH = lc.Patch("rectangle:x=0.02,y=0.01")
 SLIPS = {"load": [1.0, 1, 2, 2], "force": [0.6, 0.02, 1.21, 0.03], "moment": [0, 2.1e-3, 0, 4.3e-3]}
 

@@ -103,19 +103,6 @@ class Hold(CommandLineTest):
             self.assert_fails(2, "--down", "hold", *PATCH, "--mass", 1, "--offset", 0, "--down", down)
         self.assert_fails(2, "--down", "hold", *CONTACT, "--mass", 1, "--offset", 0, "--down", "0,-1")
 
-    def test_a_sensor_s_own_columns_and_units(self):
-        si = self.data("load,force,moment", [(3.0, 1.2, 2e-3), (5.0, 0.3, -1e-3)])
-        expected = rows("hold", *CONTACT, "--data", si)
-        own = self.file("own.csv", "Fz,Fxy,Tz\n3000,1200,2\n5000,300,-1\n")
-        named = ["--columns", "load=Fz,force=Fxy,moment=Tz", "--units", "force=mN,moment=Nmm"]
-        for row, other in zip(expected, rows("hold", *CONTACT, "--data", own, *named), strict=True):
-            self.assertEqual(list(row), list(other))
-            for name in row:
-                self.assert_close(other[name], row[name], 1e-14)
-        pad = self.file("pad.csv", "Fx,fy,moment\n1000,0,0\n")
-        row, = rows("hold", *PATCH, "--data", pad, "--columns", "fx=Fx", "--units", "force=mN")
-        self.assert_close(row["hold_load"], 2, 1e-12)
-
     def test_mu_r_as_measured_is_the_radius_law_it_implies(self):
         """In every command that takes one: mu_r = mu m0 a, with gamma the exponent of the radius."""
         m0 = 3 * math.pi / 16

@@ -9,8 +9,6 @@ from command_line import CommandLineTest, rows, run
 
 LAW = ["--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.6"]
 FINGER = ["--stiffness", "1000", "--twist-stiffness", "0.036"]
-LENGTHS = {"m": 1, "cm": 0.01, "mm": 1e-3, "um": 1e-6, "in": 0.0254}
-FORCES = {"N": 1, "mN": 1e-3, "uN": 1e-6, "kN": 1e3, "kgf": 9.80665, "lbf": 4.4482216152605}
 
 
 class Units(CommandLineTest):
@@ -104,32 +102,6 @@ class Units(CommandLineTest):
             self.assertEqual(len(said), len(questions), (command, said))
             for line, question in zip(said, questions):
                 self.assertIn(question, line)
-
-    def test_every_unit_of_a_single_value_and_of_a_column(self):
-        expected = rows("hold", *LAW, "--force", "1.2", "--moment", "3e-3")[0]
-        for force, newtons in FORCES.items():
-            for length, metres in LENGTHS.items():
-                units = ["--units", f"force={force},moment={force}{length}"]
-                value, turn = 1.2 / newtons, 3e-3 / (newtons * metres)
-                single, = rows("hold", *LAW, "--force", repr(value), "--moment", repr(turn), *units)
-                row, = rows("hold", *LAW, "--data", self.file("own.csv", f"force,moment\n{value!r},{turn!r}\n"), *units)
-                for name, number in expected.items():
-                    self.assert_close(single[name], number, 1e-12, units)
-                    self.assert_close(row[name], number, 1e-12, units)
-
-    def test_a_trace_in_other_units(self):
-        names = ["time", "x", "y", "z", "twist", "x2", "y2", "z2", "twist2"]
-        samples = [(0.01 * i, 1e-4 * i, 0.0, -0.002, 0.02 * i, 0.0, 2e-4 * i, -0.001, -0.01 * i) for i in range(60)]
-        replay = ["replay", *LAW, *FINGER, "--fingers", "2", "--trace"]
-        expected = rows(*replay, self.trace(*samples, head=",".join(names)))
-        divide = dict(zip(names, [1e-3, *[1e-3] * 3, math.pi / 180, *[1e-3] * 3, math.pi / 180]))
-        other = self.trace(*[[value / divide[name] for name, value in zip(names, sample)] for sample in samples],
-                           head="t," + ",".join(names[1:]))
-        found = rows(*replay, other, "--units", "length=mm,angle=deg,time=ms", "--columns", "time=t")
-        for one, same in zip(expected, found, strict=True):
-            self.assertEqual(one["state"], same["state"])
-            for name in ("time", "px", "angle", "fx", "moment2"):
-                self.assertAlmostEqual(one[name], same[name], delta=1e-12)
 
     def test_units_never_touch_strings_and_are_refused_by_name(self):
         self.assert_close(
