@@ -161,12 +161,13 @@ def hold(curve, mu, radius_of, force, moment):
 class Finger:
     """Steps of one finger; `radius_of` is a(P), and `clear` how far its decisions were from other ones."""
 
-    def __init__(self, curve, radius_of, *, mu, mu_dynamic=None, stiffness, twist_stiffness, damping=0.0,
-                 twist_damping=0.0, rest_margin=0.0, projection="closest-point", box=False):
+    def __init__(self, curve, radius_of, *, mu, mu_dynamic=None, mu_r=1.0, mu_r_dynamic=None, stiffness, box=False,
+                 twist_stiffness, damping=0.0, twist_damping=0.0, rest_margin=0.0, projection="closest-point"):
         self.curve, self.radius_of, self.mu, self.mu_d = curve, radius_of, mu, mu if mu_dynamic is None else mu_dynamic
+        slower = [self.mu_d / mu, self.mu_d / mu if mu_r_dynamic is None else mu_r_dynamic / mu_r]
+        self.turning, self.within = slower[1] / slower[0], [1 / (1 + rest_margin * (1 / part - 1)) for part in slower]
         self.k, self.kr, self.b, self.br = stiffness, twist_stiffness, damping, twist_damping
-        self.projection, self.box, self.within = projection, box, 1 / (1 + rest_margin * (mu / self.mu_d - 1))
-        self.touches, self.clear = False, np.inf
+        self.projection, self.box, self.touches, self.clear = projection, box, False, np.inf
 
     def decide(self, value, limit):
         self.clear = min(self.clear, abs(value - limit))
@@ -174,7 +175,7 @@ class Finger:
 
     def limits(self, load, slides):
         force = (self.mu_d if slides else self.mu) * load
-        return np.array([force, force * self.radius_of(load)])
+        return np.array([force, force * self.radius_of(load) * (self.turning if slides else 1)])
 
     def kept(self, trial, load, ratio):
         """Of the sizes of force and moment, what friction leaves."""
@@ -185,18 +186,18 @@ class Finger:
                 if self.decide(trial[i], slide if self.slides[i] else rest):
                     self.slides[i], both[i] = True, min(slide, trial[i])
                 elif self.slides[i]:
-                    self.slides[i] = self.within < 1 and self.decide(trial[i] / slide, self.within)
+                    self.slides[i] = self.within[i] < 1 and self.decide(trial[i] / slide, self.within[i])
             return both
         size = self.curve.gauge(*(trial / self.limits(load, self.slides[0])))
         if not self.decide(size, 1):
-            self.slides[0] = self.slides[0] and self.within < 1 and self.decide(size, self.within)
+            self.slides[0] = self.slides[0] and min(self.within) < 1 and self.decide(size, min(self.within))
             return trial
         self.slides[0] = True
         scale = self.limits(load, True)
         f, m = trial / scale
         grows = lambda by: self.radius_of(by * load) / self.radius_of(load)
         if self.projection == "closest-point":
-            return scale * self.curve.closest(f, m, self.radius_of(load)**2 * ratio)
+            return scale * self.curve.closest(f, m, (scale[1] / scale[0])**2 * ratio)
         if self.projection == "radial" or grows(2) == 1:
             return scale * self.curve.on_ray(f, m)
         size = lambda by: self.curve.gauge(f / by, m / by / grows(by))
