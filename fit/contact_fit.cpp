@@ -3,6 +3,7 @@
 
 #include "fit/internal/contact_assumptions.hpp"
 #include "fit/internal/contact_preparation.hpp"
+#include "fit/internal/edge.hpp"
 #include "fit/internal/report.hpp"
 #include "fit/internal/warnings.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -118,6 +119,42 @@ bool is_at_bound(const UnitCurve& curve, double shape) {
 
 }  // namespace
 
+void internal::report_limits(ContactFit& fit, UnitCurve& curve, const ContactLayout& layout, const ContactModel& model,
+                             std::span<const double> values, std::span<const double> covariance,
+                             double reference_load) {
+  const double shape = layout.shape ? values[2] : 0.0;
+  curve.bend(shape);
+  const double gamma = layout.gamma ? values[layout.gamma_place()] : layout.fixed_gamma;
+  const double log_reference = std::log(reference_load);
+  const bool grows = layout.gamma || layout.fixed_gamma != 0.0;
+  const std::string metre = grows ? "m/N^gamma" : "m";
+  const double mu = std::exp(values[0]);
+  const double mu_r = std::exp(values[1] - gamma * log_reference);
+  std::vector<internal::Quantity> quantities;
+  std::vector<double> jacobian;
+  using Role = Estimate::Role;
+  const auto add = [&](Role role, std::string name, double value, std::string unit, std::array<double, 4> slopes) {
+    quantities.push_back({std::move(name), value, std::move(unit), role});
+    jacobian.insert(jacobian.end(), {slopes[0], slopes[1]});
+    if (layout.shape) jacobian.push_back(slopes[2]);
+    if (layout.gamma) jacobian.push_back(slopes[3]);
+  };
+  add(Role::force, is_exact(model) ? "mu" : "force_max", mu, "1", {mu, 0.0, 0.0, 0.0});
+  add(Role::moment, is_exact(model) ? "mu_r" : "moment_max", mu_r, metre, {0.0, mu_r, 0.0, -mu_r * log_reference});
+  if (is_exact(model)) {
+    const double ratio = mu_r / mu;
+    add(Role::ratio, "ratio", ratio, metre, {-ratio, ratio, 0.0, -ratio * log_reference});
+    const double radius = ratio / curve.moment_ratio();
+    add(Role::radius, grows ? "c" : "radius", radius, metre,
+        {-radius, radius, -radius * curve.moment_ratio_slope() / curve.moment_ratio(), -radius * log_reference});
+  }
+  if (layout.shape)
+    add(Role::shape, curve.shape_name(), curve.parameter(shape), "1", {0.0, 0.0, curve.parameter_slope(shape), 0.0});
+  if (layout.gamma) add(Role::gamma, "gamma", gamma, "1", {0.0, 0.0, 0.0, 1.0});
+  internal::set_estimates(fit.report, quantities, jacobian, covariance);
+  fit.band = band_of(curve, layout, covariance, mu, mu_r, log_reference);
+}
+
 ContactFit internal::fit_prepared(const ContactPreparation& preparation, const ContactModel& model,
                                   const ContactFitOptions& options) {
   const std::unique_ptr<UnitCurve> curve = internal::make_curve(model);
@@ -152,7 +189,8 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
     const double relative_error = std::sqrt(covariance[j * free + j]);
     if (!(relative_error < 0.5)) {
       throw std::invalid_argument("not identifiable from these samples: " + parameters[j].name +
-                                  " (its standard error is " + format_number(100.0 * relative_error, 3) + " %)");
+                                  " (its standard error is " + format_number(100.0 * relative_error, 3) +
+                                  " %); if the finger held in some rows, use --loss edge");
     }
   }
   if (layout.gamma) internal::refuse_hidden(parameters.back(), covariance.back());
@@ -174,38 +212,9 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
     at_bound = is_at_bound(*curve, solution.values[2]);
     hidden = std::sqrt(covariance[2 * free + 2]) > 0.5 * range;
   }
-  // From the logarithms at the reference load to the quantities, at 1 N if the radius depends on the load.
+  report_limits(fit, *curve, layout, model, solution.values, covariance, preparation.reference_load);
   const double shape = layout.shape ? solution.values[2] : 0.0;
-  curve->bend(shape);
   const double gamma = layout.gamma ? solution.values[layout.gamma_place()] : options.gamma;
-  const double log_reference = std::log(preparation.reference_load);
-  const bool grows = options.fit_gamma || options.gamma != 0.0;
-  const std::string metre = grows ? "m/N^gamma" : "m";
-  const double mu = std::exp(solution.values[0]);
-  const double mu_r = std::exp(solution.values[1] - gamma * log_reference);
-  std::vector<internal::Quantity> quantities;
-  std::vector<double> jacobian;
-  using Role = Estimate::Role;
-  const auto add = [&](Role role, std::string name, double value, std::string unit, std::array<double, 4> slopes) {
-    quantities.push_back({std::move(name), value, std::move(unit), role});
-    jacobian.insert(jacobian.end(), {slopes[0], slopes[1]});
-    if (layout.shape) jacobian.push_back(slopes[2]);
-    if (layout.gamma) jacobian.push_back(slopes[3]);
-  };
-  add(Role::force, parameters[0].name, mu, "1", {mu, 0.0, 0.0, 0.0});
-  add(Role::moment, parameters[1].name, mu_r, metre, {0.0, mu_r, 0.0, -mu_r * log_reference});
-  if (is_exact(model)) {
-    const double ratio = mu_r / mu;
-    add(Role::ratio, "ratio", ratio, metre, {-ratio, ratio, 0.0, -ratio * log_reference});
-    const double radius = ratio / curve->moment_ratio();
-    add(Role::radius, grows ? "c" : "radius", radius, metre,
-        {-radius, radius, -radius * curve->moment_ratio_slope() / curve->moment_ratio(), -radius * log_reference});
-  }
-  if (layout.shape)
-    add(Role::shape, curve->shape_name(), curve->parameter(shape), "1", {0.0, 0.0, curve->parameter_slope(shape), 0.0});
-  if (layout.gamma) add(Role::gamma, "gamma", gamma, "1", {0.0, 0.0, 0.0, 1.0});
-  internal::set_estimates(fit.report, quantities, jacobian, covariance);
-  fit.band = band_of(*curve, layout, covariance, mu, mu_r, log_reference);
   warn(fit.report, *curve, model, options);
   if (layout.gamma) internal::warn_of_end(fit.report, parameters.back(), gamma);
   internal::warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
@@ -243,6 +252,7 @@ std::string ContactModel::name() const {
 }
 
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options) {
+  if (options.loss.kind == Loss::Kind::edge) return internal::fit_edge(samples, model, options);
   return internal::fit_or_outlive_outliers(options, [&](const ContactFitOptions& with) {
     return internal::fit_beside_holds(samples, with, [&](std::span<const Sample> some) {
       const ContactPreparation preparation = internal::prepare(some, with);

@@ -85,6 +85,7 @@ std::vector<internal::Parameter> free_parameters(const Preparation& data, LoadMo
 }
 
 Preparation prepare(const LoadSamples& samples, const Loss& loss) {
+  if (loss.kind == Loss::Kind::edge) throw std::invalid_argument("loss edge: only for slips under a law (ratio, law)");
   if (!(loss.scale > 0.0) || std::isinf(loss.scale))
     throw out_of_range("loss scale", loss.scale, "1", "> 0 and finite");
   if (samples.samples.empty()) throw std::invalid_argument("samples: expected at least one, got none");

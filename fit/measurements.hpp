@@ -17,7 +17,8 @@ struct Sample {
   /// Standard deviations [N], [N·m], > 0; or both 0 in all samples if unknown.
   double sigma_force = 0.0;
   double sigma_moment = 0.0;
-  std::size_t row = 0;  ///< the number by which messages name it, such as a line of a file; 0: its place, from 1
+  std::size_t row = 0;   ///< the number by which messages name it, such as a line of a file; 0: its place, from 1
+  std::size_t grip = 0;  ///< which contact of a log it belongs to, for Loss::edge; 0: unknown
 };
 
 /// Contact radii, or moments of pure twists, at loads: the rows of a file with the columns `load,radius[,sigma_radius]`
@@ -41,6 +42,7 @@ struct Loss {
     squared,  ///< r²: best for Gaussian errors, spoiled by one gross outlier
     huber,    ///< r² up to scale, then linear: bounded influence
     cauchy,   ///< scale² log(1 + r²/scale²): the influence of gross outliers goes to zero
+    edge,     ///< rows may also lie below the limit: of a log without marks (`fit_contact` with a law)
   };
   Kind kind = Kind::squared;
   double scale = 1.0;
@@ -54,16 +56,19 @@ struct Loss {
         return huber();
       case Kind::cauchy:
         return cauchy();
+      case Kind::edge:
+        return edge();
     }
     return {};
   }
   static constexpr Loss squared() noexcept { return {}; }
   static constexpr Loss huber(double scale = 1.345) noexcept { return {Kind::huber, scale}; }
   static constexpr Loss cauchy(double scale = 2.385) noexcept { return {Kind::cauchy, scale}; }
+  static constexpr Loss edge() noexcept { return {Kind::edge}; }
 };
 
 /// In the order of Loss::Kind.
-inline constexpr std::array<std::string_view, 3> loss_names{"squared", "huber", "cauchy"};
+inline constexpr std::array<std::string_view, 4> loss_names{"squared", "huber", "cauchy", "edge"};
 constexpr const char* to_string(Loss::Kind kind) noexcept {
   return loss_names[static_cast<std::size_t>(kind)].data();
 }

@@ -83,15 +83,17 @@ class Fit final : public Subcommand {
     options.number("--load", load_, positive, "For friction: normal load P [N]; without it mu is mu P [N]");
     options.choice("--criterion", settings_.criterion, fit::criterion_names,
                    "What an approximation of the exact curve minimises");
-    options.choice("--loss", settings_.loss.kind, fit::loss_names, "Loss function: the weight of outliers");
+    options.choice("--loss", settings_.loss.kind, fit::loss_names, 
+                   "Loss function; huber and cauchy resist outliers. edge is for a log without marks, under a law: rows "
+                   "may also lie below the limit, so it finds the limits that the wrench reaches and never exceeds");
     options.choice("--load-model", settings_.load_model, fit::load_model_names,
                    "For load: growth of the radius, c P^gamma with gamma 0, 1/3 or free; or the best of them");
     options.number("--gamma", settings_.gamma, finite, "Exponent of the contact radius a = c P^gamma, from -0.5 to 1");
     options.flag("--fit-gamma", settings_.fit_gamma, "Fit gamma to the data, too");
     options.flag("--covariance", covariance_, "With --data: add a column covariance_NAME for each parameter");
     options.flag("--residuals", residuals_,
-                 "Write, instead of the parameters, one column: by how many standard deviations each slip lies outside "
-                 "the fitted curve");
+                 "Write, instead of the parameters, by how many standard deviations each slip lies outside the fitted "
+                 "curve, and its row in the data");
     options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius above this [m]");
   }
 
@@ -102,6 +104,7 @@ class Fit final : public Subcommand {
     settings_.loss = fit::Loss::of(settings_.loss.kind);
     if (data_.empty() && (file_columns_.given() || file_columns_.least_load))
       throw std::invalid_argument("--columns, --units, --least-load: go with --data");
+    file_columns_.check_zero();
     if (covariance_ && (data_.empty() || kind_ == fit::Kind::friction))
       throw std::invalid_argument("--covariance: only with --data, and not for fit friction");
     if (residuals_ && (data_.empty() || (kind_ != fit::Kind::law && kind_ != fit::Kind::ellipse)))
@@ -150,9 +153,9 @@ class Fit final : public Subcommand {
     rows.finish();
   }
 
-  static void write_residuals(const Results& results, const std::vector<double>& residuals) {
-    Rows rows(results, {"residual"});
-    for (const double residual : residuals) rows.row(residual);
+  void write_residuals(const Results& results, const std::vector<double>& residuals) const {
+    Rows rows(results, {"residual", "row"});
+    for (std::size_t i = 0; i < residuals.size(); ++i) rows.row(residuals[i], rows_of_data_.at(i));
     rows.finish();
   }
 
@@ -196,7 +199,12 @@ class Fit final : public Subcommand {
   }
 
   /// A note or warning that the user must know before using the numbers.
-  void say(const char* kind, const std::string& text) const {
+  void say(const char* kind, std::string text) const {
+    // Of a file the rows are named by their lines.
+    constexpr std::string_view from_one = "(the first is 1)";
+    const std::size_t at = text.find(from_one);
+    const bool is_file = !data_.empty() && MemoryColumns::find(data_) == nullptr;
+    if (is_file && at != std::string::npos) text.replace(at, from_one.size(), "(lines of the file)");
     messages_->say("limitcurve: " + std::string(kind) + ": " + text);
   }
 
@@ -266,7 +274,8 @@ class Fit final : public Subcommand {
     if (mu != nullptr && (!law.empty() || is_ellipse) && std::filesystem::exists(descriptor::path_of(data_))) {
       say("note", "for the load that would hold each row: limitcurve hold" + options + " --data " + shell_word(data_) +
                       file_columns_.options +
-                      (file_columns_.least_load ? " --least-load " + format_number(*file_columns_.least_load) : ""));
+                      (file_columns_.least_load ? " --least-load " + format_number(*file_columns_.least_load) : "") +
+                      (file_columns_.zero ? " --zero" : ""));
     }
     say("note", "for replay:" + options + "; for FingerParameters: " + fields);
   }
@@ -310,6 +319,7 @@ class Fit final : public Subcommand {
       questions.load(slip.load);
       questions.wrench(slip.force, slip.moment);
       questions.force_under(slip.load, slip.force);
+      rows_of_data_.push_back(static_cast<double>(slip.row));
     }
     messages_->say(questions.lines());
     return slips;
@@ -336,6 +346,7 @@ class Fit final : public Subcommand {
   std::string patch_;
   std::optional<double> load_;
   Messages* messages_ = nullptr;
+  mutable std::vector<double> rows_of_data_;  ///< the line of each slip
   bool covariance_ = false;
   bool residuals_ = false;
   fit::FitOptions settings_;

@@ -117,6 +117,7 @@ class Hold final : public Subcommand {
       throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
     columns_.messages = results.messages;
     if (data_.empty() && !columns_.names.empty()) throw std::invalid_argument("--columns: goes with --data");
+    columns_.check_zero();
     if (data_.empty() && columns_.least_load) throw std::invalid_argument("--least-load: goes with --data");
     if (mass_ && columns_.given())
       throw std::invalid_argument("--units: goes with --data, or with --force and --moment");

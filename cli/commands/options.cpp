@@ -48,8 +48,10 @@ void Options::numbers(const std::string& name, std::vector<double>& values, Rang
 void Options::file_columns(FileColumns& columns) {
   value(
       "--columns", "LIST", [&columns](const std::string& list) { columns.read_names(list); },
-      "The file's names of columns, such as load=-Fz,force=Fx:Fy,moment=Tz: -Fz turns the sign, Fx:Fy is the length of "
-      "a vector",
+      "The file's names of columns, such as load=-Fz,force=Fx:Fy,moment=Fx:Fy:Fz:Tx:Ty:Tz: -Fz turns the sign, Fx:Fy "
+      "is "
+      "the length of a vector, and six names are F.T/Fz, the moment about the sensor's z through the contact, wherever "
+      "that is (Tz alone is about the sensor's axis); a name with : or , is in double quotes",
       Presence::optional);
   value(
       "--units", "LIST", [&columns](const std::string& list) { columns.read_units(list); },
@@ -61,6 +63,10 @@ void Options::file_columns(FileColumns& columns) {
 void Options::least_load(FileColumns& columns) {
   number("--least-load", columns.least_load, positive,
          "Leave out rows of --data with a smaller load, such as those of the empty gripper");
+  flag("--zero", columns.zero,
+       "Subtract the sensor's zero, the median of each pause of at least 5 rows with less than --least-load above the "
+       "lowest percentile; their scatter gives sigma_force and sigma_moment");
+  columns.is_log = true;
 }
 
 void Options::count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most,

@@ -58,7 +58,7 @@ class Options {
                Presence presence = Presence::required);
   /// --columns and --units of a file of measurements.
   void file_columns(FileColumns& columns);
-  /// --least-load, for data with a load.
+  /// --least-load and --zero, for data with a load.
   void least_load(FileColumns& columns);
   void count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help);
   void count(const std::string& name, std::optional<std::size_t>& value, std::size_t least, std::size_t most,

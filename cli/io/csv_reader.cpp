@@ -7,6 +7,7 @@
 #include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <charconv>
@@ -167,6 +168,13 @@ std::optional<double> CsvReader::share() const {
 }
 
 bool CsvReader::next_meaningful_line() {
+  if (!lines_.empty()) {
+    if (next_line_ == lines_.size()) return false;
+    line_ = lines_[next_line_].text;
+    line_number_ = lines_[next_line_++].number;
+    split();
+    return true;
+  }
   std::size_t blank = 0;
   while (next_line()) {
     const std::size_t first = line_.find_first_not_of(" \t");
@@ -243,7 +251,8 @@ void CsvReader::take(const FileColumns& file_columns) {
     return column == "time" ? file_columns.time : 1.0;
   };
   for (const std::string& column : columns_) units_.push_back(unit_of(column));
-  const std::vector<std::string> own = columns_;
+  own_ = columns_;
+  const std::vector<std::string>& own = own_;
   load_ = static_cast<std::size_t>(std::find(own.begin(), own.end(), "load") - own.begin());
   for (const auto& [name, in_file] : file_columns.names) {
     const auto place = std::find(own.begin(), own.end(), name);
@@ -280,7 +289,8 @@ void CsvReader::find_header() {
   find_columns();
 }
 
-/// Columns whose name in --columns has a sign or is several names, unless the file has a column of just that name.
+/// Where each column's numbers are. A name in --columns with a sign, or of several, is one column if the file has a
+/// column of just that name.
 void CsvReader::find_sources() {
   const auto place_of = [&](std::string_view name) {
     const auto end = fields_.begin() + static_cast<std::ptrdiff_t>(field_count_);
@@ -293,38 +303,47 @@ void CsvReader::find_sources() {
     const std::size_t column = renamed_[i];
     if (places_[column] != missing) {
       const char last = in_file.back();
-      const std::string other = in_file.substr(0, in_file.size() - 1) + static_cast<char>(last + 1);
+      const std::string stem = in_file.substr(0, in_file.size() - 1);
+      const std::string other = stem + static_cast<char>(last + 1);
       if (own == "force" && (last == 'x' || last == 'X') && place_of(other) != missing)
         say("force=" + in_file + " leaves out " + other + "; force=" + in_file + ":" + other + " is their length");
+      const std::string first = stem + static_cast<char>(last - 2);
+      if (own == "moment" && (last == 'z' || last == 'Z') && place_of(first) != missing)
+        say("moment=" + in_file +
+            " is about the sensor's axis; if the contact is elsewhere, name all six: moment=Fx:Fy:Fz:Tx:Ty:Tz");
       continue;
     }
-    Source source;
-    std::string_view rest = in_file;
-    source.turned = rest.starts_with('-');
-    if (source.turned) rest.remove_prefix(1);
-    const bool is_vector = rest.find(':') != std::string_view::npos;
-    if (is_vector && (own != "force" || source.turned)) {
-      throw std::invalid_argument("--columns: got '" + own + "=" + in_file +
-                                  "', expected one column, because only a force is the length of several");
-    }
-    if (!is_vector && !source.turned) continue;
-    for (std::size_t begin = 0; begin <= rest.size();) {
-      const std::string_view name = rest.substr(begin, rest.find(':', begin) - begin);
-      begin += name.size() + 1;
+    const FileColumns::Parts parts = FileColumns::parts_of(in_file);
+    const std::string got = "--columns: got '" + own + "=" + in_file + "', expected ";
+    const bool is_wrench = own == "moment" && parts.names.size() == wrench_places;
+    if (parts.names.size() > 1 && parts.turned)
+      throw std::invalid_argument(got + "no sign: neither a length nor F.T/Fz depends on it");
+    if (parts.names.size() > 1 && own == "moment" && !is_wrench)
+      throw std::invalid_argument(got + "one column, or six, Fx:Fy:Fz:Tx:Ty:Tz");
+    if (parts.names.size() > 1 && own != "force" && !is_wrench)
+      throw std::invalid_argument(got + "one column, because only a force is the length of several");
+    if (parts.is_plain) continue;
+    Source source{{}, parts.turned};
+    for (const std::string& name : parts.names) {
       const std::size_t place = place_of(name);
-      if (place == missing) throw no_column("'" + std::string(name) + "'");
+      if (place == missing) throw no_column("'" + name + "'");
       if (std::find(source.places.begin(), source.places.end(), place) != source.places.end())
-        throw std::invalid_argument("--columns: got '" + own + "=" + in_file + "', expected each column once");
+        throw std::invalid_argument(got + "each column once");
       source.places.push_back(place);
       if (memory_ != nullptr) memory_->require_numbers(place);
     }
     places_[column] = source.places.front();
     sources_[column] = std::move(source);
   }
+  for (std::size_t column = 0; column < columns_.size(); ++column) {
+    if (places_[column] != missing && sources_[column].places.empty()) sources_[column].places = {places_[column]};
+  }
 }
 
 void CsvReader::find_columns() {
   header_fields_ = field_count_;
+  header_.clear();
+  for (std::size_t i = 0; i < field_count_; ++i) header_.push_back(fields_[i].text);
   for (std::size_t i = 0; i < field_count_; ++i) {
     for (std::size_t column = 0; column < columns_.size(); ++column) {
       if (fields_[i].text != columns_[column]) continue;
@@ -346,19 +365,128 @@ void CsvReader::find_columns() {
 }
 
 bool CsvReader::next() {
+  if (file_columns_.zero && !zero_) learn_zero();
   while (next_row()) {
-    if (!file_columns_.least_load || number(load_, finite) >= *file_columns_.least_load * file_columns_.force)
-      return true;
-    ++left_out_;
+    if (file_columns_.is_log && has_blank()) {
+      ++blanks_;
+      continue;
+    }
+    if (zero_) ++zero_row_;
+    const bool rests =
+        (file_columns_.least_load && number(load_, finite) < *file_columns_.least_load * file_columns_.force) ||
+        is_without_load();
+    if (rests) {
+      ++left_out_;
+      ++resting_;
+      continue;
+    }
+    if (resting_ >= SensorZero::shortest_pause) ++grip_;
+    resting_ = 0;
+    ++taken_;
+    return true;
   }
-  if (left_out_ > 0) {
-    const std::string limit = "a load below " + format_number(*file_columns_.least_load);
-    if (left_out_ == rows_)
-      throw complaint_at(0, "all " + std::to_string(rows_) + " rows have " + limit + ", expected one row or more");
-    say(std::to_string(left_out_) + " of " + std::to_string(rows_) + " rows have " + limit + ", and are left out");
-    left_out_ = 0;
+  const std::string limit =
+      file_columns_.least_load ? "a load below " + format_number(*file_columns_.least_load) : "no load (Fz = 0)";
+  if (taken_ == 0) {
+    throw complaint_at(0, left_out_ == rows_
+                              ? "all " + std::to_string(rows_) + " rows have " + limit + ", expected one row or more"
+                              : "no row is left: " + std::to_string(left_out_) + " of " + std::to_string(rows_) +
+                                    " have " + limit + ", the others a blank");
+  }
+  const auto say_left_out = [&](std::size_t& count, const std::string& what) {
+    if (count > 0)
+      say(std::to_string(count) + " of " + std::to_string(rows_) + " rows have " + what + ", and are left out");
+    count = 0;
+  };
+  say_left_out(blanks_, "a blank in a used column");
+  say_left_out(left_out_, limit);
+  return false;
+}
+
+bool CsvReader::has_blank() const {
+  for (const Source& source : sources_) {
+    for (const std::size_t place : source.places) {
+      if (memory_ != nullptr ? std::isnan(memory_->numbers_[place][rows_ - 1]) : fields_[place].text.empty())
+        return true;
+    }
   }
   return false;
+}
+
+/// Whether the row has no normal force, by which its moment would be divided.
+bool CsvReader::is_without_load() {
+  for (std::size_t column = 0; column < sources_.size(); ++column) {
+    const Source& source = sources_[column];
+    if (source.places.size() != wrench_places || channel(column, source.places[2], finite) != 0.0) continue;
+    if (load_ < columns_.size() && places_[load_] != missing && number(load_, finite) > 0.0)
+      throw complaint(column, "got Fz = 0 and a load of " + format_number(number(load_, finite)) +
+                                  " N, expected Fz of the same contact");
+    return true;
+  }
+  return false;
+}
+
+/// Reads all rows, and lets them be read again.
+void CsvReader::learn_zero() {
+  for (std::size_t column = 0; column < columns_.size(); ++column) {
+    const std::string_view name = own_[column];
+    if (name != "load" && name != "force" && name != "moment" && name != "fx" && name != "fy") continue;
+    for (const std::size_t place : sources_[column].places) {
+      if (std::ranges::find(channels_, place) == channels_.end()) channels_.push_back(place);
+    }
+  }
+  std::vector<std::vector<double>> values(channels_.size());
+  std::vector<double> loads;
+  std::vector<Line> lines;
+  while (next_row()) {
+    if (memory_ == nullptr) lines.push_back({line_, line_number_});
+    if (has_blank()) continue;
+    for (std::size_t i = 0; i < channels_.size(); ++i) values[i].push_back(raw_number(load_, channels_[i], finite));
+    const double load = raw_number(load_, places_[load_], finite);
+    loads.push_back(sources_[load_].turned ? 0.0 - load : load);
+  }
+  rows_ = 0;
+  lines_ = std::move(lines);
+  zero_.emplace(values, loads, *file_columns_.least_load);
+  if (zero_->pauses() == 0)
+    throw complaint_at(0, "--zero: no pause of " + std::to_string(SensorZero::shortest_pause) +
+                              " rows without load, expected one or more; is --least-load too small, or the load's sign "
+                              "wrong?");
+  const auto place = std::ranges::find(channels_, places_[load_]) - channels_.begin();
+  const auto [low, high] = std::ranges::minmax_element(zero_->levels(static_cast<std::size_t>(place)));
+  say("zero: " + std::to_string(zero_->pauses()) + (zero_->pauses() == 1 ? " pause, " : " pauses, ") +
+      header_[places_[load_]] + " " + format_number(*low, 3) + " to " + format_number(*high, 3));
+}
+
+double CsvReader::sigma(std::size_t column) const {
+  const Source& source = sources_[column];
+  const auto of = [&](std::size_t place) {
+    const auto at = std::ranges::find(channels_, place) - channels_.begin();
+    const double sigma = zero_->sigma(static_cast<std::size_t>(at));
+    if (sigma > 0.0) return sigma;
+    throw complaint(column,
+                    "the same number in all pauses, expected noise that tells its standard deviation; add a "
+                    "column sigma_" +
+                        own_[column]);
+  };
+  if (source.places.size() != wrench_places) {
+    double sum = 0.0;
+    for (const std::size_t place : source.places) sum += of(place) * of(place);
+    return units_[column] * std::sqrt(sum / static_cast<double>(source.places.size()));
+  }
+  std::array<double, wrench_places> wrench{};
+  std::array<double, wrench_places> sigmas{};
+  for (std::size_t i = 0; i < wrench_places; ++i) {
+    wrench.at(i) = channel(column, source.places[i], finite);
+    sigmas.at(i) = of(source.places[i]);
+  }
+  const auto [fx, fy, fz, tx, ty, tz] = wrench;
+  // The derivatives of Tz + (Fx Tx + Fy Ty)/Fz.
+  const std::array<double, wrench_places> slopes{tx / fz, ty / fz, -(fx * tx + fy * ty) / (fz * fz),
+                                                 fx / fz, fy / fz, 1.0};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < wrench_places; ++i) sum += std::pow(slopes.at(i) * sigmas.at(i), 2);
+  return units_[column] * std::sqrt(sum);
 }
 
 bool CsvReader::next_row() {
@@ -369,6 +497,7 @@ bool CsvReader::next_row() {
     throw complaint_at(
         0, has_header_ ? "no rows after the header, expected at least one" : "an empty file, expected rows of numbers");
   }
+  if (has_header_ && rows_ == 0 && file_columns_.is_log && lines_.empty() && is_units_line()) return next_row();
   if (!has_header_ && rows_ == 0) {
     header_fields_ = field_count_;
     for (std::size_t column = 0; column < field_count_; ++column) {
@@ -390,20 +519,52 @@ bool CsvReader::next_row() {
 
 double CsvReader::number(std::size_t column, const Range& range) const {
   const double unit = units_.empty() ? 1.0 : units_[column];
-  const Source* const source = sources_.empty() || sources_[column].places.empty() ? nullptr : &sources_[column];
-  double value = raw_number(column, places_[column], range);
-  if (source != nullptr) {
+  const Source* const source = sources_.empty() ? nullptr : &sources_[column];
+  double value = channel(column, places_[column], range);
+  const bool is_read = source == nullptr || (source->places.size() == 1 && !source->turned);
+  if (!is_read && source->places.size() == wrench_places) {
+    const auto part = [&](std::size_t i) { return channel(column, source->places[i], range); };
+    value = part(5) + (value * part(3) + part(1) * part(4)) / part(2);
+  } else if (!is_read) {
     if (source->turned) value = 0.0 - value;
     for (std::size_t i = 1; i < source->places.size(); ++i)
-      value = std::hypot(value, raw_number(column, source->places[i], range));
+      value = std::hypot(value, channel(column, source->places[i], range));
   }
   if (range.contains(value)) return unit * value;
   std::string hint;
   if (column == load_ && file_columns_.messages != nullptr && std::isfinite(value))
-    hint = "; --columns load=-NAME turns the sign of all, --least-load 0.1 leaves out rows of less";
-  const bool as_read = memory_ != nullptr || source != nullptr;
+    hint = std::string(is_read ? "; --columns load=-NAME turns the sign of all, " : "; ") +
+           "--least-load 0.1 leaves out rows of less";
+  const bool as_read = memory_ != nullptr || !is_read || zero_;
   throw complaint(column, "got '" + (as_read ? format_number(value) : excerpt(text(column))) + "', expected " +
                               std::string(range.text) + hint);
+}
+
+/// The number at a place of the row, without the sensor's zero.
+double CsvReader::channel(std::size_t column, std::size_t place, const Range& range) const {
+  const double raw = raw_number(column, place, range);
+  if (!zero_) return raw;
+  const auto at = std::ranges::find(channels_, place);
+  return at == channels_.end() ? raw : raw - zero_->at(static_cast<std::size_t>(at - channels_.begin()), zero_row_ - 1);
+}
+
+/// Whether the row is a second header, of units, which then must be those of --units.
+bool CsvReader::is_units_line() const {
+  if (memory_ != nullptr) return false;
+  for (std::size_t column = 0; column < sources_.size(); ++column) {
+    for (const std::size_t place : sources_[column].places) {
+      if (!FileColumns::unit(fields_[place].text)) return false;
+    }
+  }
+  for (std::size_t column = 0; column < sources_.size(); ++column) {
+    if (sources_[column].places.empty()) continue;
+    const std::string& unit = fields_[sources_[column].places.back()].text;
+    if (std::fabs(*FileColumns::unit(unit) / units_[column] - 1.0) > 1e-9)
+      throw complaint_at(fields_[sources_[column].places.back()].offset,
+                         "a line of units, got '" + unit + "' for " + own_[column] + ", expected it in --units");
+  }
+  say("line " + std::to_string(line_number_) + " has units, and is skipped");
+  return true;
 }
 
 /// The number at a place of the row; `column` is for the complaint.
@@ -421,6 +582,10 @@ double CsvReader::raw_number(std::size_t column, std::size_t place, const Range&
 
 std::invalid_argument CsvReader::no_column(const std::string& column) const {
   std::string hint = field_count_ == 1 ? std::string(other_separator(fields_[0].text)) : "";
+  const auto end = fields_.begin() + static_cast<std::ptrdiff_t>(field_count_);
+  if (memory_ == nullptr &&
+      std::all_of(fields_.begin(), end, [](const Field& one) { return !!parse_number(one.text); }))
+    hint = "; it has no header: put a line with the columns' names before the first";
   for (const std::string& name : columns_) {
     for (std::size_t i = 0; i < field_count_; ++i) {
       const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };

@@ -3,6 +3,7 @@
 
 #include "cli/io/file_columns.hpp"
 #include "cli/io/memory_columns.hpp"
+#include "cli/io/sensor_zero.hpp"
 #include "limitcurve/internal/range.hpp"
 
 #include <cstddef>
@@ -38,7 +39,8 @@ class CsvReader {
   CsvReader& operator=(const CsvReader&) = delete;
 
   /// Moves to the next row; false after the last. A row with fewer or more fields than the header (such as a truncated
-  /// line) is an error, and so is a file without rows. Rows below --least-load are left out, and counted in a note.
+  /// line) is an error, and so is a file without rows. A log's rows below --least-load, and those with a blank in a
+  /// used column, are left out and counted in notes. With --zero the first call reads the whole log.
   bool next();
 
   /// Of a file without header: forgets the rows that were read, as if the file began with the next.
@@ -56,6 +58,17 @@ class CsvReader {
   [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[places_[column]].text; }
   /// The same as a number within `range`, in SI units.
   [[nodiscard]] double number(std::size_t column, const Range& range) const;
+
+  /// The number of the current row: of a file its line, else from 1.
+  [[nodiscard]] std::size_t row() const { return memory_ != nullptr ? rows_ : line_number_; }
+  /// The number of the current contact of a log, which ends where five consecutive rows or more are below --least-load;
+  /// 0 without that option.
+  [[nodiscard]] std::size_t grip() const { return file_columns_.least_load ? grip_ : 0; }
+  /// Whether --zero gives the standard deviation of measured columns; that of the current row's i-th column, in SI
+  /// units, from the scatter in the pauses. Of a length that of one component on average; of a moment
+  /// Fx:Fy:Fz:Tx:Ty:Tz by error propagation.
+  [[nodiscard]] bool has_sigmas() const { return zero_.has_value(); }
+  [[nodiscard]] double sigma(std::size_t column) const;
 
   /// The fraction of the file that has been read, 0 to 1, if its size is known.
   [[nodiscard]] std::optional<double> share() const;
@@ -78,10 +91,17 @@ class CsvReader {
   /// A longer line is an error; this bounds the memory.
   static constexpr std::size_t longest_line = 1 << 20;
 
-  /// A column of the file, or several whose length counts, or one with the other sign.
+  /// A column of the file, or several whose length counts, or one with the other sign, or a wrench's moment.
   struct Source {
     std::vector<std::size_t> places;
     bool turned = false;
+  };
+  /// Places of a wrench: M = F·T/Fz is the moment about the sensor's z through the contact, wherever that is, because
+  /// T = r × F + M z.
+  static constexpr std::size_t wrench_places = 6;
+  struct Line {
+    std::string text;
+    std::size_t number;
   };
 
   void take_names_in_memory();
@@ -93,6 +113,11 @@ class CsvReader {
   void split();
   void find_columns();
   void find_sources();
+  [[nodiscard]] bool is_units_line() const;
+  void learn_zero();
+  [[nodiscard]] bool has_blank() const;
+  [[nodiscard]] bool is_without_load();
+  [[nodiscard]] double channel(std::size_t column, std::size_t place, const Range& range) const;
   [[nodiscard]] double raw_number(std::size_t column, std::size_t place, const Range& range) const;
   void take(const FileColumns& file_columns);
 
@@ -101,6 +126,8 @@ class CsvReader {
   std::size_t blank_lines_ = 0;
   std::string name_;
   std::vector<std::string> columns_;  ///< names in the file
+  std::vector<std::string> own_;      ///< names of the reader
+  std::vector<std::string> header_;   ///< all names of the file
   std::vector<double> units_;         ///< of the columns, in SI units
   std::vector<std::size_t> renamed_;  ///< columns that --columns names: the file must have them
   std::size_t required_;
@@ -115,10 +142,19 @@ class CsvReader {
   std::vector<Field> fields_;
   std::size_t field_count_ = 0;
   std::vector<std::size_t> places_;
-  std::vector<Source> sources_;  ///< of columns that --columns gives a sign or several names; else without places
+  std::vector<Source> sources_;  ///< of all columns that the file has; the others are without places
   FileColumns file_columns_;
-  std::size_t load_ = missing;             ///< the column of loads, if it is asked for
-  std::size_t left_out_ = 0;               ///< rows below the least load
+  std::size_t load_ = missing;  ///< the column of loads, if it is asked for
+  std::size_t left_out_ = 0;    ///< rows below the least load
+  std::size_t blanks_ = 0;      ///< rows left out for a blank
+  std::size_t taken_ = 0;       ///< rows that `next` returned
+  std::size_t resting_ = 0;     ///< consecutive rows below the least load
+  std::size_t grip_ = 1;
+  std::optional<SensorZero> zero_;
+  std::vector<std::size_t> channels_;  ///< places that have a zero
+  std::vector<Line> lines_;            ///< with a zero: all that were read, from next_line_ on to be read again
+  std::size_t next_line_ = 0;
+  std::size_t zero_row_ = 0;               ///< of the rows without a blank, from 1
   std::optional<std::string> line_ahead_;  ///< what next_fields read
   std::size_t number_ahead_ = 0;
   std::size_t header_fields_ = 0;

@@ -41,13 +41,23 @@ struct Quantity {
   const std::vector<Unit>& units;
 };
 
+/// Where the first `separator` outside of double quotes is, or the end.
+std::size_t end_of_item(std::string_view text, char separator) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') quoted = !quoted;
+    if (text[i] == separator && !quoted) return i;
+  }
+  return text.size();
+}
+
 /// Calls `take(key, value)` of each item of KEY=VALUE,…, which returns false if it is none. Each key may stand there
 /// once.
 template <class Take>
 void for_each_item(std::string_view list, std::string_view expected, const Take& take) {
   std::vector<std::string_view> keys;
   while (!list.empty()) {
-    const std::string_view item = list.substr(0, list.find(','));
+    const std::string_view item = list.substr(0, end_of_item(list, ','));
     list.remove_prefix(std::min(item.size() + 1, list.size()));
     const std::size_t equals = item.find('=');
     if (std::find(keys.begin(), keys.end(), item.substr(0, equals)) != keys.end())
@@ -63,12 +73,43 @@ void for_each_item(std::string_view list, std::string_view expected, const Take&
 }  // namespace
 
 void FileColumns::read_names(std::string_view list) {
-  for_each_item(list, "a list such as load=-Fz,force=Fx:Fy,moment=Tz",
+  for_each_item(list,
+                "a list such as load=-Fz,force=Fx:Fy,moment=Tz, with a name that has a comma or colon in double quotes",
                 [&](const std::string& own, const std::string& other) {
                   names.emplace_back(own, other);
                   return true;
                 });
   options.append(" --columns ").append(shell_word(list));
+}
+
+FileColumns::Parts FileColumns::parts_of(std::string_view text) {
+  Parts parts;
+  parts.turned = text.starts_with('-');
+  if (parts.turned) text.remove_prefix(1);
+  parts.is_plain = !parts.turned && text.find_first_of(":\"") == std::string_view::npos;
+  for (;;) {
+    const std::size_t end = end_of_item(text, ':');
+    std::string_view name = text.substr(0, end);
+    if (name.size() > 1 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
+    parts.names.emplace_back(name);
+    if (end == text.size()) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+void FileColumns::check_zero() const {
+  if (zero && !least_load)
+    throw std::invalid_argument("--zero: needs --least-load, below which the sensor carries nothing");
+}
+
+std::optional<double> FileColumns::unit(std::string_view text) {
+  if (text.size() > 2 && (text.front() == '[' || text.front() == '(')) text = text.substr(1, text.size() - 2);
+  static const std::vector<Unit> moments = products(force_units, length_units);
+  for (const std::vector<Unit>* units : {&length_units, &force_units, &moments, &angle_units, &time_units}) {
+    const auto known = std::ranges::find_if(*units, [&](const Unit& one) { return one.name == text; });
+    if (known != units->end()) return known->value;
+  }
+  return std::nullopt;
 }
 
 void FileColumns::read_units(std::string_view list) {

@@ -13,11 +13,25 @@ namespace limitcurve::cli {
 
 /// The names and units of what was measured, where they are not the reader's own and SI.
 struct FileColumns {
-  /// From --columns, `load=-Fz,force=Fx:Fy` (a sign, and the length of a vector of two or three columns), and from
-  /// --units, `length=mm,force=lbf,moment=lbfin,angle=deg,time=ms`; the unit of a moment is one of force and one of
-  /// length in a row. Throw std::invalid_argument with the wrong item and the expected ones.
+  /// From --columns, `load=-Fz,force=Fx:Fy,moment=Fx:Fy:Fz:Tx:Ty:Tz` (a sign, the length of a vector of two or three
+  /// columns, and F·T/Fz; a name with `:` or `,` is in double quotes), and from --units,
+  /// `length=mm,force=lbf,moment=lbfin,angle=deg,time=ms`; the unit of a moment is one of force and one of length in a
+  /// row. Throw std::invalid_argument with the wrong item and the expected ones.
   void read_names(std::string_view list);
   void read_units(std::string_view list);
+  /// The value in SI units of a unit of --units, which may be in brackets.
+  [[nodiscard]] static std::optional<double> unit(std::string_view text);
+
+  /// What stands after the equals sign of an item of --columns.
+  struct Parts {
+    bool turned = false;
+    bool is_plain = false;  ///< a single name, without sign and quotes
+    std::vector<std::string> names = {};
+  };
+  [[nodiscard]] static Parts parts_of(std::string_view text);
+
+  /// Throws std::invalid_argument if --zero is given without --least-load.
+  void check_zero() const;
   /// Whether anything was read.
   [[nodiscard]] bool given() const { return !options.empty(); }
 
@@ -29,6 +43,8 @@ struct FileColumns {
   double time = 1.0;                                            ///< in s
   std::string options = {};                                     ///< as they were typed
   std::optional<double> least_load = {};  ///< in the file's unit: rows with a smaller load are left out
+  bool zero = false;                      ///< subtract the sensor's zero, from the pauses below the least load
+  bool is_log = false;                    ///< rows with a blank are left out, and so is a second line of units
   Messages* messages = nullptr;           ///< for notes; with it the header may follow other lines
 };
 

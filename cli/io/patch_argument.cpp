@@ -182,6 +182,11 @@ void read_pixels(PatchArgument& patch, ImageFile of) {
       continue;
     }
     if (row == 0 && !size && (size = size_in(reader))) {
+      if (size->second != 2.0 && reader.next_fields() == static_cast<std::size_t>(size->second) + skip) {
+        patch.notes.push_back("the first row, the image's size, is no row of pixels");
+        reader.restart();
+        continue;
+      }
       const double pixels = size->first * size->second;
       if (reader.next_fields() == static_cast<std::size_t>(pixels) + skip) {
         if (of.columns.value_or(size->second) != size->second)

@@ -1,24 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/slip_samples.hpp"
 
+#include <map>
 #include <stdexcept>
 
 namespace limitcurve::cli {
 
 namespace {
 
-/// Of a file whose first columns are load,force,moment,sigma_force,sigma_moment.
+const std::vector<std::string> slip_columns{"load", "force", "moment", "sigma_force", "sigma_moment", "grip"};
+
+/// Of a file whose first columns are those of slips.
 std::vector<fit::Sample> slips(CsvReader& reader) {
   if (reader.has(3) != reader.has(4)) {
     throw reader.complaint_at(0, "got one of the columns sigma_force and sigma_moment, expected both or none");
   }
   std::vector<fit::Sample> samples;
+  std::map<double, std::size_t> grips;
   while (reader.next()) {
     fit::Sample sample{reader.number(0, positive), reader.number(1, finite), reader.number(2, finite)};
     if (reader.has(3)) {
       sample.sigma_force = reader.number(3, positive);
       sample.sigma_moment = reader.number(4, positive);
+    } else if (reader.has_sigmas()) {
+      sample.sigma_force = reader.sigma(1);
+      sample.sigma_moment = reader.sigma(2);
     }
+    sample.row = reader.row();
+    sample.grip =
+        reader.has(5) ? grips.try_emplace(reader.number(5, finite), grips.size() + 1).first->second : reader.grip();
     samples.push_back(sample);
   }
   return samples;
@@ -27,15 +37,16 @@ std::vector<fit::Sample> slips(CsvReader& reader) {
 }  // namespace
 
 std::vector<fit::Sample> read_slip_samples(const std::string& file, const FileColumns& columns) {
-  CsvReader reader(file, {"load", "force", "moment"}, {"sigma_force", "sigma_moment"}, columns);
+  CsvReader reader(file, {slip_columns.begin(), slip_columns.begin() + 3},
+                   {slip_columns.begin() + 3, slip_columns.end()}, columns);
   return slips(reader);
 }
 
 std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio_data(const std::string& file,
                                                                                       const FileColumns& file_columns) {
-  const std::vector<std::string> columns{"load",         "force", "moment",   "sigma_force",
-                                         "sigma_moment", "ratio", "ratio_sd", "n"};
-  constexpr std::size_t ratio = 5;
+  std::vector<std::string> columns = slip_columns;
+  columns.insert(columns.end(), {"ratio", "ratio_sd", "n"});
+  const std::size_t ratio = slip_columns.size();
   CsvReader reader(file, {}, columns, file_columns, "load,force,moment or ratio,ratio_sd");
   const auto require = [&](std::size_t column) {
     if (!reader.has(column)) throw reader.no_column(columns[column]);
@@ -64,7 +75,7 @@ fit::LoadSamples read_load_samples(const std::string& file, const FileColumns& c
   fit::LoadSamples samples{value == 1 ? fit::LoadSamples::Quantity::radius : fit::LoadSamples::Quantity::moment, {}};
   while (reader.next()) {
     samples.samples.push_back({reader.number(0, positive), reader.number(value, positive),
-                               reader.has(sigma) ? reader.number(sigma, positive) : 0.0});
+                               reader.has(sigma) ? reader.number(sigma, positive) : 0.0, reader.row()});
   }
   return samples;
 }
@@ -74,7 +85,7 @@ std::vector<fit::Push> read_pushes(const std::string& file, const FileColumns& c
   CsvReader reader(file, {"force_x", "force_y", "moment", "dx", "dy", "dtheta"}, {}, columns);
   while (reader.next()) {
     const auto number = [&reader](std::size_t column) { return reader.number(column, finite); };
-    pushes.push_back({{number(0), number(1), number(2)}, {number(3), number(4), number(5)}});
+    pushes.push_back({{number(0), number(1), number(2)}, {number(3), number(4), number(5)}, reader.row()});
     const PatchTwist& moved = pushes.back().displacement;
     if (moved.vx == 0.0 && moved.vy == 0.0 && moved.omega == 0.0)
       throw reader.complaint(3, "no displacement, expected a push that slides");

@@ -19,6 +19,11 @@ namespace limitcurve::fit::internal {
 ContactFit fit_prepared(const ContactPreparation& preparation, const ContactModel& model,
                         const ContactFitOptions& options);
 
+/// Fills in estimates and band from the parameters of `layout` and their covariance: from the logarithms at the
+/// reference load to the quantities, at 1 N if the radius depends on the load.
+void report_limits(ContactFit& fit, UnitCurve& curve, const ContactLayout& layout, const ContactModel& model,
+                   std::span<const double> values, std::span<const double> covariance, double reference_load);
+
 /// Tests two assumptions, that no row is a gross error and that the radius is proportional to P^gamma, with a fit with
 /// Cauchy's loss and free gamma. Adds outliers and warnings to the fit.
 void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const ContactModel& model,

@@ -79,6 +79,7 @@ std::unique_ptr<ceres::LossFunction> make_loss(const Loss& loss) {
     case Loss::Kind::cauchy:
       return std::make_unique<ceres::CauchyLoss>(loss.scale);
     case Loss::Kind::squared:
+    case Loss::Kind::edge:  // no loss of residuals
       break;
   }
   return nullptr;
@@ -99,6 +100,7 @@ Influence influence(const Loss& loss, double residual) {
       return {residual * weight, (1.0 - scaled * scaled) * weight * weight};
     }
     case Loss::Kind::squared:
+    case Loss::Kind::edge:  // no loss of residuals
       break;
   }
   return {residual, 1.0};

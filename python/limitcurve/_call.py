@@ -156,7 +156,9 @@ class Call:
                     raise ValueError(f"{name}: got {one!r}, expected a str or a {name.capitalize()}")
                 self.words += [word, self.law(one) if name == "law" else self.patch(one)]
         elif name in ("columns", "units") and isinstance(value, Mapping):
-            self.words += [word, ",".join(f"{key}={text}" for key, text in value.items())]
+            # A name with a comma is quoted, as the command wants it.
+            texts = {key: f'"{text}"' if "," in str(text) and '"' not in text else text for key, text in value.items()}
+            self.words += [word, ",".join(f"{key}={text}" for key, text in texts.items())]
         elif name == "read" and not isinstance(value, str):
             if isinstance(value, Mapping) or not all(isinstance(one, str) for one in value):
                 raise ValueError(f"read: got {value!r}, expected 'ENGINE.PARAMETER=VALUE', or a list of such texts")

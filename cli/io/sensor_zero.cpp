@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "cli/io/sensor_zero.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limitcurve::cli {
+
+namespace {
+
+double middle_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+/// The smallest step between two values, 0 if all are equal.
+double step_of(std::vector<double> values) {
+  std::ranges::sort(values);
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] > values[i - 1]) step = std::min(step, values[i] - values[i - 1]);
+  }
+  return std::isfinite(step) ? step : 0.0;
+}
+
+}  // namespace
+
+SensorZero::SensorZero(const std::vector<std::vector<double>>& channels, std::span<const double> loads,
+                       double least_load)
+    : levels_(channels.size()), sigmas_(channels.size()) {
+  if (loads.empty()) return;
+  std::vector<double> sorted(loads.begin(), loads.end());
+  const auto percentile = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 100);
+  std::nth_element(sorted.begin(), percentile, sorted.end());
+  const double bound = *percentile + least_load;
+  std::vector<std::vector<double>> resting(channels.size());
+  for (std::size_t end = 0, begin = 0; end < loads.size(); begin = end) {
+    while (begin < loads.size() && !(loads[begin] < bound)) ++begin;
+    for (end = begin; end < loads.size() && loads[end] < bound;) ++end;
+    const std::size_t length = end - begin;
+    if (length < shortest_pause) continue;
+    // Where the log begins and ends nothing is loaded.
+    const std::size_t first = begin == 0 ? 0 : begin + length / 4;
+    const std::size_t last = end == loads.size() ? end : end - length / 4;
+    middles_.push_back(0.5 * static_cast<double>(first + last - 1));
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      const std::span<const double> rows = std::span(channels[i]).subspan(first, last - first);
+      levels_[i].push_back(middle_of({rows.begin(), rows.end()}));
+      for (const double value : rows) resting[i].push_back(value - levels_[i].back());
+    }
+  }
+  for (std::size_t i = 0; i < channels.size() && !middles_.empty(); ++i) {
+    double sum = 0.0;
+    for (const double value : resting[i]) sum += value * value;
+    sigmas_[i] = std::sqrt(sum / static_cast<double>(resting[i].size()));
+    // A step rounds by a twelfth of its square.
+    if (sigmas_[i] > 0.0) sigmas_[i] = std::max(sigmas_[i], step_of(channels[i]) / std::sqrt(12.0));
+  }
+}
+
+double SensorZero::at(std::size_t channel, std::size_t row) const {
+  const auto place = static_cast<double>(row);
+  const auto after = static_cast<std::size_t>(std::ranges::lower_bound(middles_, place) - middles_.begin());
+  if (after == 0) return levels_[channel].front();
+  if (after == middles_.size()) return levels_[channel].back();
+  const double share = (place - middles_[after - 1]) / (middles_[after] - middles_[after - 1]);
+  return levels_[channel][after - 1] + share * (levels_[channel][after] - levels_[channel][after - 1]);
+}
+
+}  // namespace limitcurve::cli

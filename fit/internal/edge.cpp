@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: MIT
+#include "fit/internal/edge.hpp"
+
+#include "fit/internal/contact_assumptions.hpp"
+#include "fit/internal/contact_preparation.hpp"
+#include "fit/internal/report.hpp"
+#include "fit/internal/warnings.hpp"
+#include "limitcurve/internal/interruption.hpp"
+#include "limitcurve/internal/number.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace limitcurve::fit::internal {
+
+namespace {
+
+constexpr double smallest_sigma = 0.003;  ///< of e: rows at the limit creep
+constexpr std::array<double, 2> floors{0.003, 0.01};
+constexpr double most_outside = 0.03;
+constexpr double far_outside = 4.0;
+
+/// The gradient of a unit curve's gauge s(x, y), tabulated over y/(x + y). Because s is homogeneous, it is also
+/// s = s_x x + s_y y. Interpolated linearly in 1024 cells, to about 1e-6.
+class GaugeTable {
+ public:
+  explicit GaugeTable(const UnitCurve& curve) {
+    for (std::size_t i = 0; i <= cells; ++i) {
+      const double share = static_cast<double>(i) / cells;
+      double low = 0.0;
+      double high = 1.0;
+      for (int step = 0; step < 50; ++step) {
+        const double middle = 0.5 * (low + high);
+        const PlanePoint point = curve.at(middle).point;
+        (point.y < share * (point.x + point.y) ? low : high) = middle;
+      }
+      const auto [point, tangent] = curve.at(0.5 * (low + high));
+      const double along = tangent.y * point.x - tangent.x * point.y;
+      nodes_.at(i) = {tangent.y / along, -tangent.x / along};
+    }
+  }
+  [[nodiscard]] PlanePoint gradient(double x, double y) const noexcept {
+    const double place = x + y > 0.0 ? y / (x + y) * cells : 0.0;
+    const std::size_t cell = std::min(static_cast<std::size_t>(place), cells - 1);
+    const double share = place - static_cast<double>(cell);
+    const PlanePoint& low = nodes_[cell];
+    const PlanePoint& high = nodes_[cell + 1];
+    return {low.x + share * (high.x - low.x), low.y + share * (high.y - low.y)};
+  }
+
+ private:
+  static constexpr std::size_t cells = 1024;
+  std::array<PlanePoint, cells + 1> nodes_{};
+};
+
+/// Per newton of load.
+struct EdgeRow {
+  double force;
+  double moment;
+  double sigma_force;
+  double sigma_moment;
+  double log_load;  ///< relative to the reference load
+  std::size_t grip;
+};
+
+/// Where a row is: its gauge, the standard deviation of that, and the polar angle of its wrench.
+struct EdgePlace {
+  double size;
+  double sigma;
+  double angle;
+};
+
+using Vector = Eigen::VectorXd;
+using Objective = std::function<double(const Vector&)>;
+
+/// log μ, log μ_r, γ if free, logit p, log k.
+class EdgeModel {
+ public:
+  EdgeModel(const GaugeTable& gauge, bool fit_gamma, double gamma)
+      : gauge_(gauge), fit_gamma_(fit_gamma), gamma_(gamma) {}
+
+  [[nodiscard]] Eigen::Index limits() const noexcept { return fit_gamma_ ? 3 : 2; }
+  [[nodiscard]] Eigen::Index size() const noexcept { return limits() + 2; }
+  [[nodiscard]] EdgePlace place(const EdgeRow& row, const Vector& v) const noexcept {
+    const double force = std::exp(v[0]);
+    const double moment = std::exp(v[1] + (fit_gamma_ ? v[2] : gamma_) * row.log_load);
+    const double x = row.force / force;
+    const double y = row.moment / moment;
+    const PlanePoint slope = gauge_.gradient(x, y);
+    return {slope.x * x + slope.y * y,
+            std::hypot(slope.x * row.sigma_force / force, slope.y * row.sigma_moment / moment), std::atan2(y, x)};
+  }
+  /// The probability that a row is at the limit, and the negative logarithm of its likelihood.
+  struct Chance {
+    double at_limit;
+    double cost;
+  };
+  [[nodiscard]] Chance chance(const EdgePlace& place, const Vector& v) const noexcept {
+    const double e = place.size - 1.0;
+    const double p = 1.0 / (1.0 + std::exp(-v[limits()]));
+    const double sigma = std::hypot(place.sigma * std::exp(v[limits() + 1]), smallest_sigma);
+    const double at_limit =
+        p * std::exp(-0.5 * (e / sigma) * (e / sigma)) / (std::sqrt(2.0 * std::numbers::pi) * sigma);
+    const double unit = 1.0 / (std::numbers::sqrt2 * sigma);
+    const double below = (1.0 - p) * 0.5 * (std::erf((e + 1.0) * unit) - std::erf(e * unit));
+    const double all = at_limit + below + 1e-3 / (1.0 + e * e);
+    return {at_limit / all, -std::log(all * std::max(place.size, 1e-6))};
+  }
+  [[nodiscard]] double cost(std::span<const EdgeRow> rows, const Vector& v) const {
+    let_interrupt();
+    double sum = 0.0;
+    for (const EdgeRow& row : rows) sum += chance(place(row, v), v).cost;
+    return sum;
+  }
+  /// The share of rows farther outside than their noise explains.
+  [[nodiscard]] double outside(std::span<const EdgeRow> rows, const Vector& v) const {
+    const auto count = std::ranges::count_if(rows, [&](const EdgeRow& row) {
+      const EdgePlace at = place(row, v);
+      return at.size - 1.0 > far_outside * std::hypot(at.sigma, smallest_sigma);
+    });
+    return static_cast<double>(count) / static_cast<double>(rows.size());
+  }
+
+  /// Bounds of all but the first two. Without those of p and k the edge of rows without noise is a second maximum.
+  [[nodiscard]] std::array<double, 2> bounds(Eigen::Index i) const {
+    if (i == limits()) return {-3.9, 6.0};
+    if (i == limits() + 1) return {std::log(0.6), std::log(3.0)};
+    return {-0.3, 0.8};
+  }
+
+ private:
+  const GaugeTable& gauge_;
+  bool fit_gamma_;
+  double gamma_;
+};
+
+/// A bounded parameter as a free one, and back.
+double freed(double value, const std::array<double, 2>& bounds) {
+  const double share = std::clamp((value - bounds[0]) / (bounds[1] - bounds[0]), 1e-4, 1.0 - 1e-4);
+  return std::log(share / (1.0 - share));
+}
+double bound(double free, const std::array<double, 2>& bounds) {
+  return bounds[0] + (bounds[1] - bounds[0]) / (1.0 + std::exp(-free));
+}
+
+Vector gradient_of(const Objective& cost, const Vector& v) {
+  constexpr double step = 1e-5;
+  Vector gradient(v.size());
+  for (Eigen::Index i = 0; i < v.size(); ++i) {
+    const Vector off = Vector::Unit(v.size(), i) * step;
+    gradient[i] = (cost(v + off) - cost(v - off)) / (2.0 * step);
+  }
+  return gradient;
+}
+
+/// The nearest minimum of a smooth function, by BFGS with steps that halve until they descend.
+Vector descend(const Objective& cost, Vector v, double scale) {
+  constexpr int most_steps = 100;
+  constexpr double longest = 0.5;
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity(v.size(), v.size()) / scale;
+  double value = cost(v);
+  Vector gradient = gradient_of(cost, v);
+  for (int step = 0; step < most_steps; ++step) {
+    Vector move = -inverse * gradient;
+    if (!(move.dot(gradient) < 0.0)) {
+      inverse.setIdentity(v.size(), v.size());
+      inverse /= scale;
+      move = -inverse * gradient;
+    }
+    if (move.lpNorm<Eigen::Infinity>() > longest) move *= longest / move.lpNorm<Eigen::Infinity>();
+    double next = cost(v + move);
+    for (int half = 0; half < 30 && !(next <= value + 1e-4 * move.dot(gradient)); ++half) {
+      move *= 0.5;
+      next = cost(v + move);
+    }
+    if (!(next < value)) break;
+    const bool is_done = value - next < 1e-9 * scale;
+    v += move;
+    value = next;
+    if (is_done) break;
+    const Vector before = gradient;
+    gradient = gradient_of(cost, v);
+    const Vector change = gradient - before;
+    const double product = move.dot(change);
+    if (!(product > 0.0)) continue;
+    const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(v.size(), v.size()) - move * change.transpose() / product;
+    inverse = (left * inverse * left.transpose() + move * move.transpose() / product).eval();
+  }
+  return v;
+}
+
+/// Limits with this share of the rows inside: the least pinball loss of log s, rounded within 1 %.
+Vector envelope(const EdgeModel& model, std::span<const EdgeRow> rows, double share) {
+  std::vector<double> forces;
+  std::vector<double> moments;
+  for (const EdgeRow& row : rows) {
+    forces.push_back(row.force);
+    moments.push_back(row.moment);
+  }
+  const auto high = [](std::vector<double>& values) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), place, values.end());
+    return std::log(std::max(*place, 1e-12));
+  };
+  Vector start = Vector::Zero(model.size());
+  start[0] = high(forces);
+  start[1] = high(moments);
+  if (model.limits() == 3) start[2] = 0.1;
+  start[model.limits() + 1] = 0.1;
+  const auto whole = [&](const Vector& limits) {
+    Vector v = start;
+    v.head(model.limits()) = limits;
+    return v;
+  };
+  const Objective loss = [&](const Vector& limits) {
+    constexpr double width = 0.01;
+    const Vector v = whole(limits);
+    double sum = 0.0;
+    for (const EdgeRow& row : rows) {
+      const double e = std::log(std::max(model.place(row, v).size, 1e-6)) / width;
+      sum += width * ((share - 1.0) * e + (e > 30.0 ? e : std::log1p(std::exp(e))));
+    }
+    return sum;
+  };
+  Vector v = whole(descend(loss, start.head(model.limits()), static_cast<double>(rows.size())));
+  if (model.limits() == 3) v[2] = std::clamp(v[2], model.bounds(2)[0], model.bounds(2)[1]);
+  return v;
+}
+
+/// A maximum of the likelihood; the best of several starts, those with few rows outside first.
+struct Edge {
+  Vector v;
+  double cost = std::numeric_limits<double>::infinity();
+  double outside = 1.0;
+};
+Edge find_edge(const EdgeModel& model, std::span<const EdgeRow> rows, const std::optional<Vector>& near) {
+  std::vector<Vector> starts;
+  for (const double share : {0.75, 0.93, 0.98}) starts.push_back(envelope(model, rows, share));
+  if (near) starts.push_back(*near);
+  Edge best;
+  for (Vector start : starts) {
+    const auto to_bounded = [&](Vector v) {
+      for (Eigen::Index i = 2; i < v.size(); ++i) v[i] = bound(v[i], model.bounds(i));
+      return v;
+    };
+    for (Eigen::Index i = 2; i < start.size(); ++i) start[i] = freed(start[i], model.bounds(i));
+    const Objective cost = [&](const Vector& v) { return model.cost(rows, to_bounded(v)); };
+    Edge edge{to_bounded(descend(cost, start, static_cast<double>(rows.size())))};
+    edge.cost = model.cost(rows, edge.v);
+    edge.outside = model.outside(rows, edge.v);
+    const bool is_beyond = edge.outside > most_outside;
+    const bool best_is_beyond = best.outside > most_outside;
+    if (is_beyond != best_is_beyond ? !is_beyond : edge.cost < best.cost) best = edge;
+  }
+  return best;
+}
+
+/// The sandwich of whole grips; parameters at their bounds are held.
+Eigen::MatrixXd covariance_by_grip(const EdgeModel& model, std::span<const EdgeRow> rows, const Vector& v) {
+  std::vector<Eigen::Index> free{0, 1};
+  for (Eigen::Index i = 2; i < v.size(); ++i) {
+    const auto [low, high] = model.bounds(i);
+    if (std::min(v[i] - low, high - v[i]) > 1e-3 * (high - low)) free.push_back(i);
+  }
+  const auto count = static_cast<Eigen::Index>(free.size());
+  const auto moved = [&](Eigen::Index i, double step) -> Vector {
+    return v + Vector::Unit(v.size(), free[static_cast<std::size_t>(i)]) * step;
+  };
+  std::map<std::size_t, Vector> scores;
+  for (const EdgeRow& row : rows) scores.try_emplace(row.grip, Vector::Zero(count));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    constexpr double step = 1e-4;
+    const Vector up = moved(i, step);
+    const Vector down = moved(i, -step);
+    for (const EdgeRow& row : rows) {
+      const double change =
+          model.chance(model.place(row, up), up).cost - model.chance(model.place(row, down), down).cost;
+      scores[row.grip][i] += change / (2.0 * step);
+    }
+  }
+  Eigen::MatrixXd filling = Eigen::MatrixXd::Zero(count, count);
+  for (const auto& [grip, score] : scores) filling += score * score.transpose();
+  Eigen::MatrixXd bread(count, count);
+  constexpr double step = 2e-3;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const auto at = [&](double a, double b) { return model.cost(rows, moved(i, a * step) + moved(j, b * step) - v); };
+      bread(i, j) = bread(j, i) = (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)) / (4.0 * step * step);
+    }
+  }
+  const Eigen::MatrixXd inverse = bread.completeOrthogonalDecomposition().pseudoInverse();
+  const auto grips = static_cast<double>(scores.size());
+  const double few = grips / std::max(1.0, grips - static_cast<double>(model.limits()));
+  const Eigen::MatrixXd small = few * inverse * filling * inverse;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(v.size(), v.size());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < count; ++j)
+      result(free[static_cast<std::size_t>(i)], free[static_cast<std::size_t>(j)]) = small(i, j);
+  }
+  return result;
+}
+
+/// How many grips reach the limit, and which way.
+struct Reached {
+  std::size_t grips = 0;
+  std::size_t slides = 0;
+  std::size_t twists = 0;
+  std::size_t both = 0;
+};
+Reached reached(const EdgeModel& model, std::span<const EdgeRow> rows, const Vector& v) {
+  std::map<std::size_t, std::array<std::size_t, 3>> by_grip;
+  for (const EdgeRow& row : rows) {
+    std::array<std::size_t, 3>& counts = by_grip[row.grip];
+    const EdgePlace at = model.place(row, v);
+    // Noise alone reaches the limit under a small load.
+    if (at.sigma > 0.1 || model.chance(at, v).at_limit < 0.5) continue;
+    ++counts.at(at.angle < std::numbers::pi / 6 ? 0 : at.angle > std::numbers::pi / 3 ? 1 : 2);
+  }
+  Reached all;
+  for (const auto& [grip, counts] : by_grip) {
+    ++all.grips;
+    const auto most = std::ranges::max_element(counts);
+    if (*most < 3) continue;
+    ++(most == counts.begin() ? all.slides : most == counts.begin() + 1 ? all.twists : all.both);
+  }
+  return all;
+}
+
+void require(bool good, const char* expected) {
+  if (!good) throw std::invalid_argument(std::string("loss edge: ") + expected);
+}
+
+}  // namespace
+
+ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options) {
+  constexpr std::size_t most_rows = 6000;
+  require(model.kind == ContactModel::Kind::law, "only for the curve of a law");
+  const ContactPreparation preparation = prepare(samples, options);
+  require(preparation.with_sigma, "needs standard deviations: --zero, or columns sigma_force and sigma_moment");
+  const std::unique_ptr<UnitCurve> curve = make_curve(model);
+  const GaugeTable gauge(*curve);
+  const EdgeModel edge_model(gauge, options.fit_gamma, options.gamma);
+  std::set<std::size_t> grips;
+  for (const Sample& sample : samples) grips.insert(sample.grip);
+  require(!grips.contains(0), "needs to know which rows are one grip: --least-load, or a column grip");
+  require(grips.size() >= 4, "expected at least 4 grips");
+  std::vector<EdgeRow> all;
+  for (const Sample& sample : samples) {
+    all.push_back({std::fabs(sample.force) / sample.load, std::fabs(sample.moment) / sample.load,
+                   sample.sigma_force / sample.load, sample.sigma_moment / sample.load,
+                   std::log(sample.load / preparation.reference_load), sample.grip});
+  }
+  const std::size_t stride = std::max<std::size_t>(1, all.size() / most_rows);
+  std::vector<EdgeRow> rows;
+  std::array<std::vector<EdgeRow>, 2> halves;
+  for (std::size_t i = 0; i < all.size(); i += stride) {
+    rows.push_back(all[i]);
+    const auto place = std::distance(grips.begin(), grips.find(all[i].grip));
+    halves.at(static_cast<std::size_t>(place % 2)).push_back(all[i]);
+  }
+
+  const Edge edge = find_edge(edge_model, rows, std::nullopt);
+  if (edge.outside > most_outside) {
+    throw std::invalid_argument(format_number(std::round(100.0 * edge.outside)) +
+                                " % of the rows lie outside any edge, expected at most 3 %: no slips, a wrong zero or "
+                                "normal, or a coefficient that changed");
+  }
+  const Eigen::MatrixXd spread = covariance_by_grip(edge_model, rows, edge.v);
+  const Vector difference = find_edge(edge_model, halves[0], edge.v).v - find_edge(edge_model, halves[1], edge.v).v;
+  const ContactLayout layout{false, options.fit_gamma, options.gamma};
+  const std::size_t free = layout.size();
+  std::vector<double> values(free);
+  std::vector<double> covariance(free * free);
+  for (std::size_t i = 0; i < free; ++i) {
+    const auto a = static_cast<Eigen::Index>(i);
+    values[i] = edge.v[a];
+    for (std::size_t j = 0; j < free; ++j) covariance[i * free + j] = spread(a, static_cast<Eigen::Index>(j));
+    covariance[i * free + i] += std::pow(0.5 * difference[a], 2) + (i < 2 ? std::pow(floors.at(i), 2) : 0.0);
+  }
+
+  ContactFit fit{model.name(), {}, {}, {}, {}};
+  FitReport& report = fit.report;
+  const double factor = std::exp(edge.v[edge_model.limits() + 1]);
+  const double share = 1.0 / (1.0 + std::exp(-edge.v[edge_model.limits()]));
+  for (const EdgeRow& row : all) {
+    const EdgePlace at = edge_model.place(row, edge.v);
+    fit.residuals.push_back((at.size - 1.0) / std::hypot(at.sigma * factor, smallest_sigma));
+  }
+  report.residuals = all.size();
+  report.free_parameters = static_cast<std::size_t>(edge_model.size());
+  report.rms = factor;
+  report.aic = 2.0 * edge.cost + 2.0 * static_cast<double>(edge_model.size());
+  report.converged = true;
+  report.message = "maximum likelihood";
+  report_limits(fit, *curve, layout, model, values, covariance, preparation.reference_load);
+  const Reached at_limit = reached(edge_model, rows, edge.v);
+  report.note = note_of(fit.model, options, all.size(), true) + "; " +
+                std::to_string(at_limit.slides + at_limit.twists + at_limit.both) + " of " +
+                std::to_string(at_limit.grips) + " grips reach the limit: " + std::to_string(at_limit.slides) +
+                " slides, " + std::to_string(at_limit.twists) + " twists, " + std::to_string(at_limit.both) + " both";
+  if (share < 0.03 || factor > 1.8) {
+    report.warnings.push_back(
+        "no sharp edge: the finger did not slip, or not in these rows; a limit is what the wrench reached");
+  }
+  const std::array<double, 2> most_difference{0.05, 0.15};
+  const std::array<std::size_t, 2> slipped{at_limit.slides + at_limit.both, at_limit.twists + at_limit.both};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string& name = report.estimates[i].name;
+    const double apart = std::fabs(difference[static_cast<Eigen::Index>(i)]);
+    if (apart > most_difference.at(i)) {
+      report.warnings.push_back(name + ": odd and even grips differ by " + format_number(100.0 * apart, 2) +
+                                " %: few of them slipped that way");
+    }
+    const bool is_missing = (i == 0 ? at_limit.slides : at_limit.twists) == 0 || slipped.at(i) < 2;
+    if (is_missing) {
+      report.warnings.push_back(name + ": no grip of those that reach the limit is a " + (i == 0 ? "slide" : "twist") +
+                                ": this limit is what the wrench reached, a lower bound");
+    }
+  }
+  if (options.fit_gamma) {
+    const auto [low, high] = edge_model.bounds(2);
+    warn_of_end(report, {"gamma", 0.0, low, high}, values[2]);
+  }
+  return fit;
+}
+
+}  // namespace limitcurve::fit::internal
