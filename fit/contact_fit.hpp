@@ -78,6 +78,9 @@ struct ContactFit {
 /// std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot determine
 /// (too few; all on an axis; no twist at all; all about one centre). If a robust loss follows a long hold, the fit is
 /// repeated without it, with a warning.
+///
+/// `Loss::edge` needs no slips, but a log with sigmas and grips, and a law: it finds the limits that the wrench reaches
+/// and never exceeds.
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model,
                        const ContactFitOptions& options = {});
 

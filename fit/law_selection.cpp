@@ -2,6 +2,7 @@
 #include "fit/contact_fit.hpp"
 
 #include "fit/internal/contact_assumptions.hpp"
+#include "fit/internal/edge.hpp"
 #include "fit/internal/report.hpp"
 #include "fit/internal/warnings.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -111,9 +112,29 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   return selection;
 }
 
+/// Without the families: below the limit a wrench says nothing of a shape.
+LawSelection select_edge(std::span<const Sample> samples, const ContactFitOptions& options) {
+  LawSelection selection;
+  for (const Law& law : {flat_punch(), uniform(), hertz(), parabolic(), cone(), gaussian(1.0)})
+    selection.candidates.push_back(internal::fit_edge(samples, ContactModel::of(law), options));
+  std::ranges::stable_sort(selection.candidates, {}, [](const ContactFit& fit) { return fit.report.aic; });
+  ContactFit& best = selection.candidates.front();
+  internal::include_choice(best.report, selection.candidates);
+  std::string rivals;
+  for (const ContactFit& candidate : selection.candidates) {
+    selection.aic_difference.push_back(candidate.report.aic - best.report.aic);
+    if (&candidate != &best && selection.aic_difference.back() < 2.0)
+      rivals += (rivals.empty() ? "" : ", ") + candidate.model;
+  }
+  best.report.note += "; best of " + std::to_string(selection.candidates.size()) + " laws, the errors include the choice";
+  if (!rivals.empty()) best.report.warnings.push_back("the data cannot distinguish " + best.model + " from " + rivals);
+  return selection;
+}
+
 }  // namespace
 
 LawSelection select_law(std::span<const Sample> samples, const ContactFitOptions& options) {
+  if (options.loss.kind == Loss::Kind::edge) return select_edge(samples, options);
   return internal::fit_or_outlive_outliers(options, [&](const ContactFitOptions& with) {
     return internal::fit_beside_holds(samples, with,
                                       [&](std::span<const Sample> some) { return select_by(some, with); });

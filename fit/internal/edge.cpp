@@ -403,7 +403,9 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
   report.residuals = all.size();
   report.free_parameters = static_cast<std::size_t>(edge_model.size());
   report.rms = factor;
-  report.aic = 2.0 * edge.cost + 2.0 * static_cast<double>(edge_model.size());
+  // The rows of one grip say what one row says.
+  report.aic = 2.0 * edge.cost * static_cast<double>(grips.size()) / static_cast<double>(rows.size()) +
+               2.0 * static_cast<double>(edge_model.size());
   report.converged = true;
   report.message = "maximum likelihood";
   report_limits(fit, *curve, layout, model, values, covariance, preparation.reference_load);

@@ -57,7 +57,7 @@ class Hold(CommandLineTest):
         plain = self.file("plain.csv", log.read_text()[log.read_text().index('"t"'):])
         for options, told in (([
                 "--columns", columns
-        ], "expected a finite number >= 0; --columns load=-NAME turns the sign of all, --least-load 0.1"),
+        ], "expected a finite number >= 0; --least-load 0.1 leaves out rows of less"),
                               (["--columns", columns.replace("Tz",
                                                              "Tx:Tz")], "got 'moment=Tx:Tz', expected one column"),
                               (["--columns",
@@ -67,6 +67,46 @@ class Hold(CommandLineTest):
             self.assert_fails(2, told, "hold", *CONTACT, "--data", plain, *options)
         bag = self.file("log.bag", "#ROSBAG V2.0\n")
         self.assert_fails(2, "rostopic echo -b FILE.bag -p /TOPIC", "hold", *CONTACT, "--data", bag)
+
+    def test_the_moment_is_about_the_contact_wherever_the_sensor_sits(self):
+        """T = r x F + M n, so F.T/Fz is M: of a pad that only slides 0, and the load that holds is F/mu."""
+        random = __import__("random").Random(5)
+        rows_of = ["Fx,Fy,Fz,Tx,Ty,Tz,true"]
+        for sign in (-1, 1):
+            for _ in range(10):
+                f = [random.uniform(-2, 2), random.uniform(-2, 2), sign * random.uniform(1, 5)]
+                r, moment = [random.uniform(-0.03, 0.03) for _ in range(3)], random.uniform(-4e-3, 4e-3)
+                t = [r[1] * f[2] - r[2] * f[1], r[2] * f[0] - r[0] * f[2], r[0] * f[1] - r[1] * f[0] + moment]
+                rows_of.append(",".join(map(repr, f + t + [moment])))
+        rows_of.append("0,0,0,1e-5,0,1e-5,0")
+        log = self.file("six.csv", "\n".join(rows_of))
+        table = rows("hold", *CONTACT, "--data", log, "--columns", "force=Fx:Fy,moment=Fx:Fy:Fz:Tx:Ty:Tz", "--quiet")
+        true = rows("hold", *CONTACT, "--data", log, "--columns", "force=Fx:Fy,moment=true", "--quiet")
+        self.assertEqual(len(table), 20)  # the row with Fz = 0 is left out
+        for ours, its in zip(table, true):
+            self.assertAlmostEqual(ours["moment"], its["moment"], delta=1e-15)
+            self.assertAlmostEqual(ours["hold_load"] / its["hold_load"], 1, delta=1e-10)
+        done = run("hold", *CONTACT, "--data", log, "--columns", "force=Fx:Fy,moment=Tz")
+        self.assertIn("moment=Tz is about the sensor's axis", done.stderr)
+        self.assert_fails(2, "got Fz = 0 and a load of 2 N", "hold", *CONTACT, "--data",
+                          self.file("off.csv", "load,Fx,Fy,Fz,Tx,Ty,Tz\n2,1,0,0,0,0,0"), "--columns",
+                          "force=Fx:Fy,moment=Fx:Fy:Fz:Tx:Ty:Tz")
+
+    def test_logs_with_blanks_units_and_names_of_all_kinds(self):
+        text = 't,"Fz, N",s0:F,M\ns,N,N,Nmm\n0,3,1,2\n1,,1,2\n2,4,1,2\n'
+        columns = ("--columns", 'load="Fz, N",force="s0:F",moment=M')
+        log = self.file("log.csv", text)
+        done = run("hold", *CONTACT, "--data", log, *columns, "--units", "moment=Nmm")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(done.stdout.splitlines()), 3)
+        self.assertIn("1 of 3 rows have a blank in a used column", done.stderr)
+        self.assertIn("line 2 has units, and is skipped", done.stderr)
+        self.assert_fails(2, "log.csv:2:7: a line of units, got 'Nmm' for moment", "hold", *CONTACT, "--data", log,
+                          *columns)
+        self.assert_fails(2, "no header: put a line", "hold", *CONTACT, "--data", self.file("bare.csv", "1,2,3\n4,5,6"))
+        self.assert_fails(2, "--zero: needs --least-load", "hold", *CONTACT, "--data", log, *columns, "--zero")
+        self.assert_fails(2, "no pause", "hold", *CONTACT, "--data", log, *columns, "--units", "moment=Nmm", "--zero",
+                          "--least-load", "0.5")
 
     def test_a_measured_pressure_has_its_own_size_and_error(self):
         rows_of = [(0.5e-3 * i, math.sqrt(max(0.0, 1 - (i / 12) ** 2))) for i in range(30)]
