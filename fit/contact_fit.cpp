@@ -224,7 +224,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
     // it.
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (Estimate& estimate : fit.report.estimates) {
-      if (estimate.role != Role::shape && estimate.role != Role::radius) continue;
+      if (estimate.role != Estimate::Role::shape && estimate.role != Estimate::Role::radius) continue;
       if (!at_bound) estimate.value = std::numeric_limits<double>::quiet_NaN();
       estimate.std_error = infinity;
     }

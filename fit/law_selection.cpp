@@ -126,7 +126,8 @@ LawSelection select_edge(std::span<const Sample> samples, const ContactFitOption
     if (&candidate != &best && selection.aic_difference.back() < 2.0)
       rivals += (rivals.empty() ? "" : ", ") + candidate.model;
   }
-  best.report.note += "; best of " + std::to_string(selection.candidates.size()) + " laws, the errors include the choice";
+  best.report.note +=
+      "; best of " + std::to_string(selection.candidates.size()) + " laws, the errors include the choice";
   if (!rivals.empty()) best.report.warnings.push_back("the data cannot distinguish " + best.model + " from " + rivals);
   return selection;
 }

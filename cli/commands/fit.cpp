@@ -83,9 +83,10 @@ class Fit final : public Subcommand {
     options.number("--load", load_, positive, "For friction: normal load P [N]; without it mu is mu P [N]");
     options.choice("--criterion", settings_.criterion, fit::criterion_names,
                    "What an approximation of the exact curve minimises");
-    options.choice("--loss", settings_.loss.kind, fit::loss_names, 
-                   "Loss function; huber and cauchy resist outliers. edge is for a log without marks, under a law: rows "
-                   "may also lie below the limit, so it finds the limits that the wrench reaches and never exceeds");
+    options.choice(
+        "--loss", settings_.loss.kind, fit::loss_names,
+        "Loss function; huber and cauchy resist outliers. edge is for a log without marks, under a law: rows "
+        "may also lie below the limit, so it finds the limits that the wrench reaches and never exceeds");
     options.choice("--load-model", settings_.load_model, fit::load_model_names,
                    "For load: growth of the radius, c P^gamma with gamma 0, 1/3 or free; or the best of them");
     options.number("--gamma", settings_.gamma, finite, "Exponent of the contact radius a = c P^gamma, from -0.5 to 1");

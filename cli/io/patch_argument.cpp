@@ -318,7 +318,7 @@ std::vector<std::string> PatchArgument::remarks(const Patch& made) const {
   std::vector<std::string> lines = made.remarks();
   const std::string about = (file.empty() ? "pressures" : file) + ": ";
   if (law.empty()) {
-    for (std::string& line : lines) line.insert(std::string_view("note: ").size(), about);
+    for (std::string& line : lines) line.insert(line.find(": ") + 2, about);  // after "note: "
   }
   for (const std::string& note : notes) lines.push_back("note: " + about + note);
   if (without_sensor > 0) {

@@ -9,8 +9,11 @@ about its own centre of rotation, sticks while force and moment grow, then slips
 sensor has Gaussian noise and a resolution; an encoder on the plate gives slide and twist. A sample is a slip if the
 encoder moves, which is sometimes wrong near the onset, as in reality: those samples lie inside the limit curve.
 
-wrench_log.csv is what a force-torque sensor alone gives, as `rostopic echo -p` writes it: pushes of the same kind by a
-finger of constant radius, the load along -z of the sensor, rows of the empty gripper between the pushes.
+wrench_log.csv is what a force-torque sensor behind a finger gives, as `rostopic echo -p` writes it, of a finger that is
+no limit curve: a brush of bristles that stick until the friction of their own load, then slide; each is a spring beside
+a Maxwell element, so that a hold relaxes. A gripper closes, drags, twists, holds, opens. The sensor sits 3 mm beside
+the finger's axis, where each grip lands a little elsewhere; it has an offset, drift, noise and steps, and some rows
+are blank.
 
 Standard library only; the seed is below. Numbers are rounded to the sensor's resolution, so that every machine writes
 the same bytes.
@@ -104,31 +107,99 @@ def slips(rows):
     return chosen
 
 
+# The finger of wrench_log.csv, and what it does.
+BRISTLES = 120
+BRUSH_MU, BRUSH_RADIUS = 0.6, 0.004  # [1], [m]
+STIFFNESS, CREEP, RELAXATION = 5e3, 0.3, 0.3  # [N/m], share of it that relaxes, in [s]
+BRUSH_RATE, GRIPS = 50, 32
+AXES = [f"{part}.{axis}" for part in ("force", "torque") for axis in "xyz"]
+
+
+def bristles():
+    """Places in the unit disc, of equal areas, and shares of a Hertz load."""
+    places = []
+    for i in range(BRISTLES):
+        rho = math.sqrt((i + 0.5) / BRISTLES)
+        angle = math.pi * (3 - math.sqrt(5)) * i
+        places.append((rho * math.cos(angle), rho * math.sin(angle), math.sqrt(1 - rho * rho)))
+    total = sum(share for _, _, share in places)
+    mid_x, mid_y = (sum(place[axis] * place[2] for place in places) / total for axis in (0, 1))
+    return [(x - mid_x, y - mid_y, share / total) for x, y, share in places]
+
+
+def brush(steps, dt):
+    """Force x, y and moment of the finger for steps of load, velocity x, y and turning."""
+    pad = bristles()
+    stretch = [[0.0] * 4 for _ in pad]  # of the spring, x and y, and force of the Maxwell element, x and y
+    k, forget = STIFFNESS / BRISTLES, math.exp(-dt / RELAXATION)
+    for load, vx, vy, turning in steps:
+        fx = fy = moment = 0.0
+        for state, (x, y, share) in zip(stretch, pad):
+            if load <= 0:
+                state[:] = [0.0] * 4
+                continue
+            x, y = BRUSH_RADIUS * x, BRUSH_RADIUS * y
+            for axis, move in ((0, (vx - turning * y) * dt), (1, (vy + turning * x) * dt)):
+                state[axis] += move
+                state[2 + axis] = state[2 + axis] * forget + CREEP * k * move
+            force = [(1 - CREEP) * k * state[axis] + state[2 + axis] for axis in (0, 1)]
+            size, limit = math.hypot(*force), BRUSH_MU * load * share
+            if size > limit:
+                for axis in (0, 1):
+                    back = force[axis] * (limit / size - 1)
+                    state[axis] += back / k
+                    state[2 + axis] += CREEP * back
+                    force[axis] += back
+            fx, fy, moment = fx + force[0], fy + force[1], moment + x * force[1] - y * force[0]
+        yield fx, fy, moment
+
+
+def grips(noise):
+    """Steps of load, velocity x, y, turning and the number of the grip: slides, twists, both, and holds."""
+    rows = []
+    for grip in range(GRIPS):
+        load = 1.5 + 4.5 * (grip * 13 % GRIPS) / (GRIPS - 1)
+        way = 2.4 * grip
+        speed, turning = 0.004, (-1)**(grip // 4) * 1.2
+        kind = ("slide", "twist", "both", "hold")[grip % 4]
+        vx, vy = speed * math.cos(way), speed * math.sin(way)
+        motion = {"slide": (vx, vy, 0), "twist": (0, 0, turning), "both": (0.7 * vx, 0.7 * vy, turning)}.get(kind)
+        full = motion or tuple(noise.uniform(0.1, 0.3) * part for part in (vx, vy, turning))
+        rest = (0, 0, 0)
+        before = 0.0
+        for seconds, after, moves in ((0.5, 0, rest), (0.3, load, rest), (1.0 if motion else 0.3, load, full),
+                                      (0.5, load, rest), (0.3, 0, rest)):
+            count = round(seconds * BRUSH_RATE)
+            rows += [(before + (after - before) * (i + 1) / count, *moves, grip) for i in range(count)]
+            before = after
+    return rows
+
+
 def wrench_log(noise):
-    """24 pushes of 1 s, 0.3 s of the empty gripper before each; force and moment grow for half a second, then the
-    finger slips."""
-    rate, pushes, mu, mu_r, height = 50, 24, 0.6, 0.00212, 0.03
-    names = [f"field.wrench.{part}.{axis}" for part in ("force", "torque") for axis in "xyz"]
+    names = ["field.wrench." + axis for axis in AXES]
+    lever = sum(share * math.hypot(x, y) for x, y, share in bristles())
+    truth = f"mu = {BRUSH_MU}, mu_r = {BRUSH_MU * BRUSH_RADIUS * lever:.6g} m"
     lines = [
-        f"# Synthetic, not measured: made by make_sensor_log.py from mu = {mu}, mu_r = {mu_r} m and the Hertz law.\n",
+        f"# Synthetic, not measured: made by make_sensor_log.py, a brush under a Hertz load with {truth}.\n",
         ",".join(["%time", "field.header.seq", "field.header.stamp", "field.header.frame_id", *names]) + "\n"
     ]
     stamp = 1_700_000_000_000_000_000
-    for push in range(pushes):
-        full = 1.0 + 5.0 * push / (pushes - 1)
-        spin = ((push * 7) % pushes + 0.5) / pushes
-        unit_force, unit_moment = hertz((1 - spin) / spin * MOMENT_RATIO)
-        direction = 2.4 * push
-        for k in range(-15, rate):
-            load, grip = (full, min(2.0 * k / rate, 1.0)) if k >= 0 else (-0.02, 0.0)
-            force, moment = grip * mu * load * unit_force, (
-                -1) ** push * grip * mu_r / MOMENT_RATIO * load * unit_moment
-            fx, fy = force * math.cos(direction), force * math.sin(direction)
-            wrench = [rounded(value + noise.gauss(0, 0.01), 0.001) for value in (fx, fy, -load)]
-            wrench += [rounded(value + noise.gauss(0, 5e-5), 1e-5) for value in (-height * fy, height * fx, moment)]
-            sequence = len(lines) - 2
-            time = stamp + sequence * 20_000_000
-            lines.append(f"{time},{sequence},{time},ft_sensor,{','.join(wrench)}\n")
+    rows = grips(noise)
+    places = [(0.0024 + noise.gauss(0, 1e-3), -0.0018 + noise.gauss(0, 1e-3), 0.03) for _ in range(GRIPS)]
+    offset = [noise.uniform(-0.1, 0.1) for _ in range(3)] + [noise.uniform(-1e-3, 1e-3) for _ in range(3)]
+    drift = [noise.uniform(-0.02, 0.02) for _ in range(3)] + [noise.uniform(-2e-4, 2e-4) for _ in range(3)]
+    steps = brush([row[:4] for row in rows], 1 / BRUSH_RATE)
+    for sequence, ((load, *_, grip), (fx, fy, moment)) in enumerate(zip(rows, steps)):
+        x, y, z = places[grip]
+        wrench = [fx, fy, -load, -y * load - z * fy, z * fx + x * load, x * fy - y * fx + moment]
+        minutes = sequence / BRUSH_RATE / 60
+        sigma = [0.006] * 3 + [3e-5] * 3
+        wrench = [value + offset[i] + drift[i] * minutes + noise.gauss(0, sigma[i]) for i, value in enumerate(wrench)]
+        cells = [rounded(value, 0.001 if i < 3 else 1e-5) for i, value in enumerate(wrench)]
+        if noise.random() < 0.005:
+            cells = [""] * 6
+        time = stamp + sequence * 1_000_000_000 // BRUSH_RATE
+        lines.append(f"{time},{sequence},{time},ft_sensor,{','.join(cells)}\n")
     return "".join(lines)
 
 

@@ -16,6 +16,7 @@
 #include "limitcurve/quadrature/evaluators.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -222,7 +223,13 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
         0.45;  // Hertz 0.59, a Gaussian of sigma 0.4 0.47; noise and offsets beyond the contact less
     std::vector<std::string> lines = notes_;
     const double ratio = moment_ratio();
-    if (named_rim_ == 0.0 && ratio < least_moment_ratio) {
+    const double tail = flat_tail();
+    if (named_rim_ == 0.0 && tail > 0.0) {
+      lines.push_back("warning: " + source_ + ": a flat pressure in the outer tenth carries " +
+                      format_number(100.0 * tail, 2) +
+                      " % of the moment of a pure twist; if that is noise or an offset of the sensor, subtract it and "
+                      "name the contact's rim=RADIUS");
+    } else if (named_rim_ == 0.0 && ratio < least_moment_ratio) {
       lines.push_back("warning: " + source_ + ": the mean radius of its load is " + format_number(ratio * rim_, 3) +
                       ", but the contact radius stands for the last radius with pressure, " + format_number(rim_, 3) +
                       ": is that noise or an offset of the sensor? rim=RADIUS names the radius that it stands for");
@@ -234,6 +241,26 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
                       format_number(named_rim_) + ": an offset of the sensor?");
     }
     return lines;
+  }
+  /// The moment's share of the outer tenth of the radius if the pressure there is small and as in the tenth before,
+  /// more than a hundredth; else 0. The pressure of a contact falls.
+  [[nodiscard]] double flat_tail() const {
+    constexpr int points = 400;
+    std::array<double, 10> pressures{};
+    std::array<double, 10> moments{};
+    double most = 0.0;
+    double moment = 0.0;
+    for (int i = 0; i < points; ++i) {
+      const double radius = (i + 0.5) / points;
+      const auto pressure = static_cast<double>(pieces_(Extended(radius)));
+      const auto tenth = static_cast<std::size_t>(10.0 * radius);
+      pressures.at(tenth) += 10.0 * pressure / points;
+      moments.at(tenth) += pressure * radius * radius;
+      moment += pressure * radius * radius;
+      most = std::max(most, pressure);
+    }
+    const bool is_flat = pressures[9] < 0.1 * most && std::fabs(pressures[9] / pressures[8] - 1.0) < 0.25;
+    return is_flat && moments[9] > 0.01 * moment ? moments[9] / moment : 0.0;
   }
   const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
 

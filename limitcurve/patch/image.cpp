@@ -214,6 +214,48 @@ struct Image final : Shape {
   [[nodiscard]] std::vector<std::string> remarks() const override { return notes; }
 };
 
+/// What the outer ring, a tenth of each side, says if it carries more than a hundredth of the moment: clean images of a
+/// contact carry nothing there, but noise without negative values, or an offset, has a long lever. A small image has no
+/// ring.
+std::string remark_on_ring(const std::vector<double>& pressures, std::size_t columns, double width, double height) {
+  constexpr std::size_t fewest = 8;
+  constexpr double most = 0.01;
+  constexpr double cut_off = 0.2;
+  const std::size_t rows = pressures.size() / columns;
+  if (rows < fewest || columns < fewest) return {};
+  const auto x_of = [&](std::size_t i) { return static_cast<double>(i % columns) * width; };
+  const auto y_of = [&](std::size_t i) { return static_cast<double>(i / columns) * height; };
+  double load = 0.0;
+  double mean_x = 0.0;
+  double mean_y = 0.0;
+  for (std::size_t i = 0; i < pressures.size(); ++i) {
+    load += pressures[i];
+    mean_x += pressures[i] * x_of(i);
+    mean_y += pressures[i] * y_of(i);
+  }
+  double all = 0.0;
+  double outside = 0.0;
+  double highest = 0.0;
+  for (std::size_t i = 0; i < pressures.size(); ++i) {
+    const double moment = pressures[i] * std::hypot(x_of(i) - mean_x / load, y_of(i) - mean_y / load);
+    all += moment;
+    const auto in_ring = [](std::size_t place, std::size_t count) {
+      return std::min(place, count - 1 - place) < std::max<std::size_t>(1, count / 10);
+    };
+    if (!in_ring(i % columns, columns) && !in_ring(i / columns, rows)) continue;
+    outside += moment;
+    highest = std::max(highest, pressures[i]);
+  }
+  if (!(outside > most * all)) return {};
+  const std::string share = format_number(100.0 * outside / all, 2) + " % of the moment";
+  if (highest > cut_off * *std::max_element(pressures.begin(), pressures.end()))
+    return "the pressure reaches the rim, which carries " + share + ": is the contact cut off?";
+  return "the outer tenth of the image carries " + share +
+         ": if that is noise or an offset, the moment is too large and "
+         "the load that holds too small; set floor=" +
+         format_number(1.2 * highest, 2);
+}
+
 }  // namespace
 
 std::shared_ptr<Shape> make_image(std::vector<double> pressures, std::size_t columns, double width, double height,
@@ -243,6 +285,8 @@ std::shared_ptr<Shape> make_image(std::vector<double> pressures, std::size_t col
   for (const double pressure : pressures) loads.push_back(static_cast<double>(Extended(pressure) / highest / total));
   std::vector<std::string> notes;
   if (noise.zeroed > 0) notes.push_back("note: " + noise.text());
+  const std::string ring = remark_on_ring(pressures, columns, width, height);
+  if (!ring.empty()) notes.push_back("warning: " + ring);
   return std::make_shared<Image>(std::move(loads), columns, width, height, std::move(notes));
 }
 

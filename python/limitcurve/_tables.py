@@ -143,6 +143,8 @@ def fit(
     *,
     columns: Mapping[str, str] | None = None,
     units: Mapping[str, str] | None = None,
+    least_load: float | None = None,
+    zero: bool = False,
     law: str | Law | None = None,
     patch: str | Patch | None = None,
     load: float | None = None,
@@ -158,8 +160,10 @@ def fit(
 
     Models: ellipse, ratio, law (data: load, force, moment[, sigma_force, sigma_moment]); load (data: load and radius or
     moment); friction (with `patch`). `columns` are the data's names where they differ, {"load": "Fz"}; `units` its
-    units where they are not SI, {"length": "mm", "moment": "Nmm", "angle": "deg"}. Columns: parameter, value,
-    std_error, unit, note. Warnings are Python's; none, and no notes, if `quiet`.
+    units where they are not SI, {"length": "mm", "moment": "Nmm", "angle": "deg"}. Rows with a smaller load than
+    `least_load` and rows with NaN are left out. Of a sensor's log, `zero` subtracts what the pauses show, a moment
+    "Fx:Fy:Fz:Tx:Ty:Tz" is about the contact wherever the sensor sits, and loss="edge" needs no marks of slips.
+    Columns: parameter, value, std_error, unit, note. Warnings are Python's; none, and no notes, if `quiet`.
 
     >>> import limitcurve as lc
     >>> table = lc.fit("ellipse", law="hertz", quiet=True)

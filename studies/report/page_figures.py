@@ -149,58 +149,38 @@ def groove(_):
     return figure
 
 
-def wrench_log():
-    """Time, load, force, moment of docs/measure_and_fit.md, and which rows are slips by its rule."""
-    path = Path(__file__).resolve().parents[2] / "data" / "fit" / "wrench_log.csv"
-    rows = list(csv.DictReader(line for line in path.read_text().splitlines() if not line.startswith("#")))
-    fx, fy, fz, moment = ([float(row["field.wrench." + axis])
-                           for row in rows]
-                          for axis in ("force.x", "force.y", "force.z", "torque.z"))
-    load, force = [-z for z in fz], [math.hypot(x, y) for x, y in zip(fx, fy)]
-    size = [math.hypot(f, m / 0.004) for f, m in zip(force, moment)]
-    slips = [
-        i for i in range(10, len(rows))
-        if min(load[i], load[i - 10]) > 0.5 and abs(size[i] - size[i - 10]) < 0.05 * load[i]
-    ]
-    return [0.02 * i for i in range(len(rows))], load, force, moment, slips
+SIX = [f"field.wrench.{name}" for name in ("force.x", "force.y", "force.z", "torque.x", "torque.y", "torque.z")]
+# Of docs/measure_and_fit.md.
+LOG = ("--law", "hertz", "--data", Path(__file__).resolve().parents[2] / "data" / "fit" / "wrench_log.csv",
+       "--least-load", "0.5", "--zero", "--columns",
+       f"load=-{SIX[2]},force={':'.join(SIX[:2])},moment={':'.join(SIX)}", "--quiet")
 
 
-def log_slips(_):
-    time, _, force, moment, slips = wrench_log()
-    figure, axes = plt.subplots(figsize=(6.4, 2.6), layout="constrained")
-    for values, colour, label in ((force, BLUE, "force [N]"), ([1e3 * m for m in moment], ORANGE, "moment [N mm]")):
-        axes.plot(time, values, color=colour, linewidth=0.8, label=label)
-        axes.plot([time[i] for i in slips], [values[i] for i in slips],
-                  ".",
-                  color=INK,
-                  markersize=1.5,
-                  label="slips" if colour == BLUE else None)
-    axes.legend(loc="upper left", ncols=3)
-    axes.set(title="A row is a slip if its wrench no longer grows",
-             xlabel="time [s]",
-             xlim=(0, time[-1]),
-             ylim=(-14, 16))
-    return figure
+def wrench_log(limitcurve):
+    """Fitted mu and mu_r, and force, moment, load and the load that holds of each loaded row."""
+    fit = ("fit", "ratio", *LOG, "--loss", "edge")
+    value = dict(zip(column(limitcurve, "parameter", *fit, kind=str), column(limitcurve, "value", *fit)))
+    # With ten times the friction no margin is cut off at 0, and the load is a tenth of the load that holds over 1 - margin.
+    hold = ("hold", *LOG, "--mu", str(10 * value["mu"]), "--mu-r", str(10 * value["mu_r"]))
+    force, moment, tenth, margin = (column(limitcurve, name, *hold)
+                                    for name in ("force", "moment", "hold_load", "margin"))
+    load = [least / (1 - left) for least, left in zip(tenth, margin)]
+    return value, force, moment, load, [10 * least for least in tenth]
 
 
 def log_fit(limitcurve):
-    _, load, force, moment, slips = wrench_log()
-    rows = "load,force,moment\n" + "".join(f"{load[i]},{force[i]},{moment[i]}\n" for i in slips)
-    fitted = ("fit", "ratio", "--law", "hertz", "--data", "-", "--quiet")
-    value = dict(
-        zip(column(limitcurve, "parameter", *fitted, kind=str, input=rows),
-            column(limitcurve, "value", *fitted, input=rows)))
+    value, force, moment, load, _ = wrench_log(limitcurve)
     figure, axes = plt.subplots(figsize=(4.2, 3.6), layout="constrained")
+    axes.plot([f / (value["mu"] * p) for f, p in zip(force, load)],
+              [abs(m) / (value["mu_r"] * p) for m, p in zip(moment, load)],
+              ".",
+              color=INK,
+              markersize=1.5,
+              label="rows of the log")
     axes.plot(column(limitcurve, "x", "curve", "--law", "hertz"),
               column(limitcurve, "y", "curve", "--law", "hertz"),
               color=BLUE,
               label="Hertz")
-    axes.plot([force[i] / (value["mu"] * load[i]) for i in slips],
-              [abs(moment[i]) / (value["mu_r"] * load[i]) for i in slips],
-              ".",
-              color=INK,
-              markersize=2,
-              label="slips")
     axes.legend(loc="lower left")
     axes.set(title=f"Fit: mu = {value['mu']:.4f}, mu_r = {1e3 * value['mu_r']:.4f} mm",
              xlabel="force / (mu load)",
@@ -209,33 +189,21 @@ def log_fit(limitcurve):
 
 
 def log_grip(limitcurve):
-    time, load, force, moment, _ = wrench_log()
-    wrenches = "force,moment\n" + "".join(f"{f},{m}\n" for f, m in zip(force, moment))
-    needed = column(limitcurve,
-                    "hold_load",
-                    "hold",
-                    "--law",
-                    "hertz",
-                    "--mu",
-                    "0.6",
-                    "--mu-r",
-                    "0.00212",
-                    "--data",
-                    "-",
-                    input=wrenches)
+    *_, load, needed = wrench_log(limitcurve)
+    time = [0.02 * i for i in range(len(needed))]
     figure, axes = plt.subplots(figsize=(6.4, 2.6), layout="constrained")
     axes.plot(time, load, color=INK, linewidth=0.8, label="load")
     axes.plot(time, needed, color=BLUE, linewidth=0.8, label="load that holds")
     axes.legend(loc="upper left")
     axes.set(title="Where the load that holds meets the load [N], the finger slips",
-             xlabel="time [s]",
+             xlabel="time of loaded rows [s]",
              xlim=(0, time[-1]))
     return figure
 
 
 def main():
     limitcurve, folder = sys.argv[1:]
-    for draw in (cor_in_engine, groove, human_fingers, log_fit, log_grip, log_slips, when_a_table_pays):
+    for draw in (cor_in_engine, groove, human_fingers, log_fit, log_grip, when_a_table_pays):
         save(draw(limitcurve), folder, draw.__name__)
 
 

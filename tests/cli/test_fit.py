@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
 """fit: fits find the parameters of synthetic data; bad and insufficient data are refused."""
 
+import csv
+import io
 import math
-import shlex
 import random
+import runpy
+import shlex
 import unittest
 from pathlib import Path
 
@@ -214,6 +217,33 @@ class Fit(CommandLineTest):
         return self.file(
             "growing.csv",
             "load,force,moment\n" +"".join(f"{r['load']!r},{r['force']!r},{r['moment']!r}\n" for r in points))
+
+    def test_a_log_as_a_sensor_gives_it_needs_no_marks(self):
+        """The log is a brush model's, whose own sum of bristles is our curve to 1 %."""
+        maker = runpy.run_path(str(DATA / "fit" / "make_sensor_log.py"))
+        pad = maker["bristles"]()
+        for line in rows("eval", "--law", "hertz", "--c", "0.2,0.5,1,2,5"):
+            arms = [(share, x, y + line["c"]) for x, y, share in pad]
+            force = sum(share * arm / math.hypot(x, arm) for share, x, arm in arms)
+            moment = sum(share * (x * x + (arm - line["c"]) * arm) / math.hypot(x, arm) for share, x, arm in arms)
+            self.assertAlmostEqual(force, line["force"], delta=0.01)
+            self.assertAlmostEqual(moment, line["moment"], delta=0.01)
+        data = DATA / "fit" / "wrench_log.csv"
+        names = ["field.wrench." + name for name in maker["AXES"]]
+        columns = ("--columns", f"load=-{names[2]},force={':'.join(names[:2])},moment={':'.join(names)}")
+        log = ("--law", "hertz", "--data", data, "--least-load", "0.5", "--zero", *columns)
+        for model in ("ratio", "law"):
+            done = run("fit", model, *log, "--loss", "edge")
+            found = {row["parameter"]: row for row in csv.DictReader(io.StringIO(done.stdout))}
+            for name, true in (("mu", 0.6), ("mu_r", 0.00141395)):
+                self.assertAlmostEqual(float(found[name]["value"]), true, delta=2 * float(found[name]["std_error"]))
+                self.assertLess(float(found[name]["std_error"]), 0.03 * true)
+            self.assertIn("pauses, field.wrench.force.z", done.stderr)
+            self.assertIn("rows have a blank in a used column, and are left out", done.stderr)
+            self.assertNotIn("lower bound", done.stderr)
+        self.assert_fails(2, "only for slips under a law", "fit", "load", "--data", DATA / "fit" / "radii.csv", "--loss",
+                          "edge")
+        self.assert_fails(2, "needs standard deviations: --zero", "fit", "ratio", *log[:6], *columns, "--loss", "edge")
 
     def test_gross_outliers_are_named_by_row_under_every_loss(self):
         lines = self.slips("hertz", noise=0.01).read_text().splitlines()

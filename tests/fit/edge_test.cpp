@@ -20,8 +20,8 @@ using synthetic::Random;
 constexpr double mu = 0.7;
 constexpr double radius = 0.005;
 
-/// `grips` contacts of 60 rows: a wrench grows along a ray to `reach` times the limit, where it stays. Every second is a
-/// hold, which ends at half of the limit at most. Noise of 1 % of the limit at 3 N, gamma of the radius.
+/// `grips` contacts of 60 rows: a wrench grows along a ray to `reach` times the limit, where it stays. Every second is
+/// a hold, which ends at half of the limit at most. Noise of 1 % of the limit at 3 N, gamma of the radius.
 std::vector<Sample> log_of(int grips, double gamma, bool holds_only, Random& random) {
   const synthetic::Curve curve = synthetic::curve_of(hertz());
   const double sigma_force = 0.01 * mu * 3.0;
@@ -76,9 +76,8 @@ TEST(Edge, HoldsAloneAreWarnedOfOrRefused) {
   for (int seed = 0; seed < 4; ++seed) {
     Random random(static_cast<std::uint64_t>(80 + seed));
     const std::vector<Sample> samples = log_of(24, 0.0, true, random);
-    const std::string refusal = test::complaint([&] {
-      EXPECT_FALSE(fit_contact(samples, ContactModel::of(hertz()), edge()).report.warnings.empty());
-    });
+    const std::string refusal = test::complaint(
+        [&] { EXPECT_FALSE(fit_contact(samples, ContactModel::of(hertz()), edge()).report.warnings.empty()); });
     if (refusal != "none") test::expect_mention(refusal, "outside any edge");
   }
 }
