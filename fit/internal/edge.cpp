@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -364,13 +365,15 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
                    sample.sigma_force / sample.load, sample.sigma_moment / sample.load,
                    std::log(sample.load / preparation.reference_load), sample.grip});
   }
+  // In turn A B B A B A A B …, which no periodic order of slides, twists and holds follows.
+  std::map<std::size_t, std::size_t> half_of;
+  for (const std::size_t grip : grips) half_of.emplace(grip, std::popcount(half_of.size()) % 2);
   const std::size_t stride = std::max<std::size_t>(1, all.size() / most_rows);
   std::vector<EdgeRow> rows;
   std::array<std::vector<EdgeRow>, 2> halves;
   for (std::size_t i = 0; i < all.size(); i += stride) {
     rows.push_back(all[i]);
-    const auto place = std::distance(grips.begin(), grips.find(all[i].grip));
-    halves.at(static_cast<std::size_t>(place % 2)).push_back(all[i]);
+    halves.at(half_of.at(all[i].grip)).push_back(all[i]);
   }
 
   const Edge edge = find_edge(edge_model, rows, std::nullopt);
@@ -424,7 +427,7 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
     const std::string& name = report.estimates[i].name;
     const double apart = std::fabs(difference[static_cast<Eigen::Index>(i)]);
     if (apart > most_difference.at(i)) {
-      report.warnings.push_back(name + ": odd and even grips differ by " + format_number(100.0 * apart, 2) +
+      report.warnings.push_back(name + ": two halves of the grips differ by " + format_number(100.0 * apart, 2) +
                                 " %: few of them slipped that way");
     }
     const bool is_missing = (i == 0 ? at_limit.slides : at_limit.twists) == 0 || slipped.at(i) < 2;

@@ -106,7 +106,7 @@ class Hold(CommandLineTest):
         self.assert_fails(2, "no header: put a line", "hold", *CONTACT, "--data", self.file("bare.csv", "1,2,3\n4,5,6"))
         self.assert_fails(2, "--zero: needs --least-load", "hold", *CONTACT, "--data", log, *columns, "--zero")
         self.assert_fails(2, "no pause", "hold", *CONTACT, "--data", log, *columns, "--units", "moment=Nmm", "--zero",
-                          "--least-load", "0.5")
+                          "--least-load", "0.5", "--quiet")
 
     def test_a_measured_pressure_has_its_own_size_and_error(self):
         rows_of = [(0.5e-3 * i, math.sqrt(max(0.0, 1 - (i / 12) ** 2))) for i in range(30)]

@@ -17,15 +17,15 @@ namespace {
 
 using synthetic::Random;
 
-constexpr double mu = 0.7;
-constexpr double radius = 0.005;
+constexpr double true_mu = 0.7;
+constexpr double true_radius = 0.005;
 
 /// `grips` contacts of 60 rows: a wrench grows along a ray to `reach` times the limit, where it stays. Every second is
 /// a hold, which ends at half of the limit at most. Noise of 1 % of the limit at 3 N, gamma of the radius.
 std::vector<Sample> log_of(int grips, double gamma, bool holds_only, Random& random) {
   const synthetic::Curve curve = synthetic::curve_of(hertz());
-  const double sigma_force = 0.01 * mu * 3.0;
-  const double sigma_moment = sigma_force * radius * hertz()->moment_ratio();
+  const double sigma_force = 0.01 * true_mu * 3.0;
+  const double sigma_moment = sigma_force * true_radius * hertz()->moment_ratio();
   std::vector<Sample> samples;
   for (int grip = 0; grip < grips; ++grip) {
     const double load = random.uniform(1.5, 6.0);
@@ -33,9 +33,9 @@ std::vector<Sample> log_of(int grips, double gamma, bool holds_only, Random& ran
     const UnitWrench wrench = curve((1.0 - spin) / spin);
     const double reach = holds_only || grip % 2 == 1 ? random.uniform(0.1, 0.5) : 1.0;
     for (int i = 0; i < 60; ++i) {
-      const double size = std::fmin(1.0, i / 30.0) * reach * mu * load;
+      const double size = std::fmin(1.0, i / 30.0) * reach * true_mu * load;
       samples.push_back({load, size * wrench.force + sigma_force * random.normal(),
-                         size * radius * std::pow(load, gamma) * wrench.moment + sigma_moment * random.normal(),
+                         size * true_radius * std::pow(load, gamma) * wrench.moment + sigma_moment * random.normal(),
                          sigma_force, sigma_moment, 0, static_cast<std::size_t>(grip + 1)});
     }
   }
@@ -50,20 +50,19 @@ ContactFitOptions edge(bool fit_gamma = false) {
 }
 
 TEST(Edge, FindsTheLimitsAmongHoldsAndLoadingWithoutMarks) {
-  const double mu_r = mu * radius * hertz()->moment_ratio();
+  const double mu_r = true_mu * true_radius * hertz()->moment_ratio();
   for (const double gamma : {0.0, 0.25}) {
     for (int seed = 0; seed < 4; ++seed) {
       Random random(static_cast<std::uint64_t>(60 + seed));
-      const std::vector<Sample> samples = log_of(24, gamma, false, random);
+      const std::vector<Sample> samples = log_of(48, gamma, false, random);
       const ContactFit fit = fit_contact(samples, ContactModel::of(hertz()), edge(gamma > 0.0));
       const Estimate& force = fit.report.at("mu");
       const Estimate& moment = fit.report.at("mu_r");
-      EXPECT_NEAR(force.value, mu, 2.5 * force.std_error);
+      EXPECT_NEAR(force.value, true_mu, 2.5 * force.std_error);
       EXPECT_NEAR(moment.value, mu_r, 2.5 * moment.std_error);
-      EXPECT_LT(force.std_error, 0.02 * mu);
+      EXPECT_LT(force.std_error, 0.02 * true_mu);
       EXPECT_TRUE(fit.report.warnings.empty()) << fit.report.warnings.front();
-      EXPECT_NE(fit.report.note.find("12 of 24 grips reach the limit: 4 slides, 4 twists, 4 both"), std::string::npos)
-          << fit.report.note;
+      test::expect_mention(fit.report.note, "24 of 48 grips reach the limit");
       EXPECT_EQ(fit.residuals.size(), samples.size());
       if (gamma > 0.0) {
         EXPECT_NEAR(fit.report.at("gamma").value, gamma, 3.0 * fit.report.at("gamma").std_error);
