@@ -31,7 +31,7 @@ namespace limitcurve::fit::internal {
 namespace {
 
 constexpr double smallest_sigma = 0.003;  ///< of e: rows at the limit creep
-constexpr std::array<double, 2> floors{0.003, 0.01};
+constexpr std::array<double, 3> floors{0.003, 0.01, 0.005};
 constexpr double most_outside = 0.03;
 constexpr double far_outside = 4.0;
 
@@ -392,7 +392,7 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
     const auto a = static_cast<Eigen::Index>(i);
     values[i] = edge.v[a];
     for (std::size_t j = 0; j < free; ++j) covariance[i * free + j] = spread(a, static_cast<Eigen::Index>(j));
-    covariance[i * free + i] += std::pow(0.5 * difference[a], 2) + (i < 2 ? std::pow(floors.at(i), 2) : 0.0);
+    covariance[i * free + i] += std::pow(0.5 * difference[a], 2) + std::pow(floors.at(i), 2);
   }
 
   ContactFit fit{model.name(), {}, {}, {}, {}};

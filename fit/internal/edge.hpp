@@ -20,8 +20,8 @@ namespace limitcurve::fit::internal {
 /// load), γ if free, p and k maximise it, from three envelopes of the rows.
 ///
 /// Rows of one grip are not independent: the covariance is the sandwich of whole grips. The standard errors also have
-/// half the difference of two halves of the grips, and 0.3 % of μ and 1 % of μ_r, by which soft pads stop before their limit
-/// (measured on brush models).
+/// half the difference of two halves of the grips, and 0.3 % of μ, 1 % of μ_r and 0.005 of γ, by which soft pads stop
+/// before their limit (measured on brush models).
 ///
 /// Throws std::invalid_argument without sigmas or grips, for fewer than four grips, and if more than 3 % of the rows
 /// lie outside any such curve. Warns if no sharp edge is found, if the halves differ, and if few grips slip one way: a

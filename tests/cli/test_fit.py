@@ -243,7 +243,8 @@ class Fit(CommandLineTest):
             self.assertNotIn("lower bound", done.stderr)
         self.assert_fails(2, "only for slips under a law", "fit", "load", "--data", DATA / "fit" / "radii.csv", "--loss",
                           "edge")
-        self.assert_fails(2, "needs standard deviations: --zero", "fit", "ratio", *log[:6], *columns, "--loss", "edge")
+        self.assert_fails(2, "needs standard deviations: --zero", "fit", "ratio", *log[:6], *columns, "--loss", "edge",
+                          "--quiet")
 
     def test_gross_outliers_are_named_by_row_under_every_loss(self):
         lines = self.slips("hertz", noise=0.01).read_text().splitlines()
