@@ -106,7 +106,7 @@ godobject::Orientation TraceReader::orientation(std::size_t column) const {
                                 reader_.number(column + 2, finite), reader_.number(column + 3, finite));
   if (!godobject::make_unit(result))
     throw reader_.complaint(column, "the quaternion has length " + format_number(result.norm()) + ", expected 1");
-  return result;
+  return result.normalized();
 }
 
 }  // namespace limitcurve::cli

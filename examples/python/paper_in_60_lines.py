@@ -20,8 +20,7 @@ def pressure(r: float) -> float:  # for P = 1, eq. (3)
     return 1.5 * sqrt(1 - (r / A) ** 2) / (pi * A**2)
 
 
-def wrench(c: float,
-           n: int = 400) -> tuple[float, float]:  # F_t and M for P = 1, turning by +1 about (c, 0), by midpoints
+def wrench(c: float, n: int = 400) -> tuple[float, float]:  # F_t and M for P = 1, turning by +1 about (c, 0)
     force = moment = 0.0
     for r in (A * (i + 0.5) / n for i in range(n)):
         for t in (2 * pi * (j + 0.5) / n for j in range(n)):
@@ -32,8 +31,7 @@ def wrench(c: float,
     return force, moment
 
 
-def uncoupled(deflection: Pose,
-              d: float) -> Pose:  # step b; the deflection is x_p(k-1) - x_g(k), alpha_p(k-1) - alpha_g(k)
+def uncoupled(deflection: Pose, d: float) -> Pose:  # step b; x_p(k-1) - x_g(k), alpha_p(k-1) - alpha_g(k)
     x, y, alpha = deflection
     r, rho = hypot(x, y), abs(alpha)  # eq. (7)
     if r / (MU * d) >= 1:  # eq. (8): it slides
@@ -53,8 +51,7 @@ def coupled(deflection: Pose, d: float) -> Pose:  # step b'
 def god_object(samples: Iterable[Sample], step_b: Callable[[Pose, float], Pose]) -> Iterator[Pose]:
     pose, proxy = (0.0, 0.0, 0.0), None
     for x_h, y_h, z_h, alpha_s, body in samples:
-        # steps d, e: x_c and alpha_c of eq. (14) are those of the material under the proxy; eq. (13), but with its sign
-        if proxy:
+        if proxy:  # steps d, e: x_c, alpha_c of eq. (14) are those of the material below; eq. (13), but with its sign
             turn, x, y = body[2] - pose[2], proxy[0] - pose[0], proxy[1] - pose[1]
             proxy = body[0] + x * cos(turn) - y * sin(turn), body[1] + x * sin(turn) + y * cos(turn), proxy[2] + turn
         pose, goal, d = body, (x_h, y_h, alpha_s), -z_h  # step a, on the plane z = 0; printed: alpha_s - alpha_0

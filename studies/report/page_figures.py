@@ -160,7 +160,8 @@ def wrench_log(limitcurve):
     """Fitted mu and mu_r, and force, moment, load and the load that holds of each loaded row."""
     fit = ("fit", "ratio", *LOG, "--loss", "edge")
     value = dict(zip(column(limitcurve, "parameter", *fit, kind=str), column(limitcurve, "value", *fit)))
-    # With ten times the friction no margin is cut off at 0, and the load is a tenth of the load that holds over 1 - margin.
+    # With ten times the friction no margin is cut off at 0, and the load is a tenth of the load that holds over
+    # 1 - margin.
     hold = ("hold", *LOG, "--mu", str(10 * value["mu"]), "--mu-r", str(10 * value["mu_r"]))
     force, moment, tenth, margin = (column(limitcurve, name, *hold)
                                     for name in ("force", "moment", "hold_load", "margin"))

@@ -241,7 +241,8 @@ class Fit(CommandLineTest):
             self.assertIn("pauses, field.wrench.force.z", done.stderr)
             self.assertIn("rows have a blank in a used column, and are left out", done.stderr)
             self.assertNotIn("lower bound", done.stderr)
-        self.assert_fails(2, "only for slips under a law", "fit", "load", "--data", DATA / "fit" / "radii.csv", "--loss",
+        self.assert_fails(2, "only for slips under a law", "fit", "load",
+                          "--data", DATA / "fit" / "radii.csv", "--loss",
                           "edge")
         self.assert_fails(2, "needs standard deviations: --zero", "fit", "ratio", *log[:6], *columns, "--loss", "edge",
                           "--quiet")

@@ -61,7 +61,8 @@ class Patch(PatchCase):
             self.assertLessEqual(made["checked_error"], 1e-2)
             found.append(self.wrenches(f"table:{file}", *twists))
             for one, other in zip(exact, found[-1], strict=True):
-                self.assertLessEqual(math.hypot(one["fx"] - other["fx"], one["fy"] - other["fy"]), made["checked_error"])
+                apart = math.hypot(one["fx"] - other["fx"], one["fy"] - other["fy"])
+                self.assertLessEqual(apart, made["checked_error"])
             hold = [rows("hold", "--patch", patch, "--mu", 0.5, "--force", "1,0.5", "--moment", 1e-3)[0]["hold_load"]
                     for patch in (pad, f"table:{file}")]
             self.assertAlmostEqual(hold[0], hold[1], delta=2e-2 * hold[0])
@@ -69,7 +70,8 @@ class Patch(PatchCase):
         self.refused(f"table:{self.folder / 'none.csv'}", "none.csv")
         self.refused(f"table:{self.folder / 'pad.txt'}", ".csv or .json")
         self.refused(f"table:{self.file('cut.csv', (self.folder / 'pad.csv').read_bytes()[:-9])}", "cut.csv:")
-        for call, told in ((["--patch", pad, "--law", "hertz"], "one of --law and --patch"), ([], "one of --law and --patch"),
+        for call, told in ((["--patch", pad, "--law", "hertz"], "one of --law and --patch"),
+                           ([], "one of --law and --patch"),
                            (["--patch", pad, "--name", "n"], "--name"),
                            (["--patch", "rectangle:x=0.1,y=0.01", "--tolerance", "1e-5"], " or more for rectangle")):
             done = run("table", *call, "-o", self.folder / "new.csv")

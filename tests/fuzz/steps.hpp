@@ -34,7 +34,7 @@ void run_steps(Bytes& bytes, See&& see) {
     finger.update(contact, sample.twist, sample.time_step);
     check = test::check_step(finger, before);
     const double squares = contact.point.squaredNorm() + contact.depth * contact.depth + sample.twist * sample.twist;
-    const bool usable = squares <= 1e12 && std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
+    const bool usable = squares <= 1e12 && std::fabs(contact.normal.norm() - 1.0) <= 1e-2 * (1.0 + 1e-9);
     if (!usable && finger.output().state != godobject::ContactState::invalid) check.fault = "unusable input is used";
     if (!same(preview, finger.output())) check.fault = "a preview shows another step";
     if (!(finger.margin() >= 0.0 && finger.margin() <= 1.0)) check.fault = "a margin outside 0 to 1";

@@ -207,11 +207,12 @@ TEST(SoftFinger, MeasuresAJumpByTheTimeSinceTheLastGoodSample) {
   for (const int steps : {1, 4, 20}) {
     for (const double x : {far, 0.0501}) {
       faults(0.0, 1.0);
+      const double step = 0.01 / (2 * steps - 1);  // two bad ones each time, and the good one
       for (int i = 1; i < steps; ++i) {
-        faults(nan, 0.005 / steps);
-        finger.mark_invalid(Fault::body, 0.005 / steps);
+        faults(nan, step);
+        finger.mark_invalid(Fault::body, step);
       }
-      EXPECT_EQ(faults(x, 0.005 / steps + 0.005), x == far ? Fault::none : Fault::speed) << x << ' ' << steps;
+      EXPECT_EQ(faults(x, step), x == far ? Fault::none : Fault::speed) << x << ' ' << steps;
     }
   }
   for (const double time_step : {0.0, 1e-6, 1e-3}) {

@@ -265,7 +265,8 @@ TEST(Host, TheWorldAsItIs) {
       if (is_fault(24, Fault::normal)) contact.normal.setZero();
       if (is_fault(25, Fault::orientation)) orientation = Orientation(2.0, 0.0, 0.0, 0.0);
       if (is_fault(26, Fault::time_step)) step = -1e-3;
-      if (fault == Fault::speed && !finger.state().faults.seen) continue;
+      const FingerFaults& faults = finger.state().faults;
+      if (fault == Fault::speed && (!faults.seen || faults.refused)) continue;  // a refused place that is held counts
       FingerParameters other = with;
       other.mu *= random.uniform(1.0, 1.5);
       ASSERT_TRUE(random.below(50) != 0 || finger.change(other));
