@@ -138,7 +138,8 @@ class HowWrongIsRound(PatchCase):
             (row["engine"], row["parameter"]): float(row["value"])
             for row in csv.DictReader(done.stdout.splitlines())
         }
-        self.assertEqual({engine for engine, _ in found}, {"mujoco", "mjx", "mujoco-warp", "mjlab", "gazebo", "gz-sim", "ode"})
+        self.assertEqual({engine for engine, _ in found},
+                         {"mujoco", "mjx", "mujoco-warp", "mjlab", "gazebo", "gz-sim", "ode"})
         for engine, along, across, moment in (("mujoco", "pair.friction[0]", "pair.friction[1]",
                                                found["mujoco", "pair.friction[2]"]),
                                               ("ode", "surface.mu", "surface.mu2", found["ode", "surface.rhoN"]),
