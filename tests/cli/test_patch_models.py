@@ -62,11 +62,11 @@ class FitFriction(PatchCase):
             done = run("fit", "friction", "--patch", patch, "--data",
                        self.changed(data, lambda i, row: self.reacting(row) if i in against else row))
             self.assertEqual((done.returncode, done.stdout), (2, ""))
-            self.assertIn(f"push {against[0] + 1}: negative power, as in {len(against)} of 5 pushes", done.stderr)
+            self.assertIn(f"push {against[0] + 2}: negative power, as in {len(against)} of 5 pushes", done.stderr)
             self.assertIn("reaction", done.stderr)
         done = run("fit", "friction", "--patch", patch, "--data",
                    self.changed(data, lambda i, row: self.reacting(row) if i == 2 else row))
-        self.assertIn("push 3 of 5 (the first is 1): negative power, left out", done.stderr)
+        self.assertIn("push 4 of 5 (lines of the file): negative power, left out", done.stderr)
         self.assertTrue(done.stdout.splitlines()[1].startswith("mu,4"), done.stdout)
 
     def test_other_units_are_warned_of(self):
