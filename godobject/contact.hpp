@@ -156,7 +156,7 @@ template <std::ranges::forward_range Contacts>
   const auto missing = [&](const Contact& at) { return at.depth > 0.0 ? at.depth - at.normal.dot(way) : -most; };
   const auto is_inside = [&](const Contact& wall) { return missing(wall) > 1e-9 * most; };
   leave(deepest);
-  if (!(most > 0.0) || std::ranges::none_of(contacts, is_inside)) return deepest;
+  if (!(most > 0.0) || std::none_of(contacts.begin(), contacts.end(), is_inside)) return deepest;
   // One wall after the other: if x + way is inside of it, the nearest point is on it. Among the walls before it search
   // there in the same way, first in the plane, then on the edge of two.
   way.setZero();
