@@ -32,16 +32,6 @@ std::uint64_t bits(double number) {
   return std::bit_cast<std::uint64_t>(number);
 }
 
-/// COR distances over all magnitudes, the ends and the rim among them.
-std::vector<double> random_cors() {
-  std::mt19937_64 random(20260727);
-  std::uniform_real_distribution<double> exponent(-20, 20);
-  std::vector<double> cors{0.0, 1.0, std::numeric_limits<double>::infinity(), std::nextafter(1.0, 0.0),
-                           std::nextafter(1.0, 2.0)};
-  while (cors.size() < count) cors.push_back(std::pow(10.0, exponent(random) / (cors.size() % 2 == 0 ? 1 : 20)));
-  return cors;
-}
-
 // With a moment coefficient the radius during slip may be larger than at rest: only force and moment fall.
 TEST(SameBits, FrictionTakesTheLimitsOfEveryFinger) {
   limitcurve_table* ellipse = nullptr;
@@ -86,27 +76,6 @@ TEST(SameBits, FrictionTakesTheLimitsOfEveryFinger) {
   limitcurve_table_free(ellipse);
 }
 
-TEST(SameBits, EvaluateOfALaw) {
-  for (const char* text : {"hertz", "uniform"}) {
-    limitcurve_law* law = nullptr;
-    ASSERT_EQ(limitcurve_law_parse(text, &law), LIMITCURVE_OK);
-    const Law same = parse_law(text);
-    const std::vector<double> cors = random_cors();
-    std::vector<double> forces(count), moments(count), force_errors(count), moment_errors(count);
-    ASSERT_EQ(limitcurve_law_evaluate(law, cors.data(), count, forces.data(), moments.data(), force_errors.data(),
-                                      moment_errors.data()),
-              LIMITCURVE_OK);
-    for (std::size_t i = 0; i < count; ++i) {
-      const WrenchEstimate expected = same->evaluate(cors[i]);
-      ASSERT_EQ(bits(forces[i]), bits(expected.wrench.force)) << text << " at " << cors[i];
-      ASSERT_EQ(bits(moments[i]), bits(expected.wrench.moment)) << text << " at " << cors[i];
-      ASSERT_EQ(bits(force_errors[i]), bits(expected.error.force)) << text << " at " << cors[i];
-      ASSERT_EQ(bits(moment_errors[i]), bits(expected.error.moment)) << text << " at " << cors[i];
-    }
-    limitcurve_law_free(law);
-  }
-}
-
 /// A box has two slip states and two shares of rest, which C passes on each for itself.
 TEST(SameBits, FrictionOfABoxWhoseTestsComeToRestApart) {
   limitcurve_table* box = nullptr;
@@ -142,24 +111,6 @@ TEST(SameBits, FrictionOfABoxWhoseTestsComeToRestApart) {
   }
   EXPECT_GT(*std::min_element(seen.begin(), seen.end()), 1000);
   limitcurve_table_free(box);
-}
-
-TEST(SameBits, EvaluateOfATable) {
-  limitcurve_law* law = nullptr;
-  limitcurve_table* table = nullptr;
-  ASSERT_EQ(limitcurve_law_parse("hertz", &law), LIMITCURVE_OK);
-  ASSERT_EQ(limitcurve_table_build(law, 1e-8, &table), LIMITCURVE_OK);
-  const Table same = Table::build(hertz(), 1e-8);
-  const std::vector<double> cors = random_cors();
-  std::vector<double> forces(count), moments(count);
-  ASSERT_EQ(limitcurve_table_evaluate(table, cors.data(), count, forces.data(), moments.data()), LIMITCURVE_OK);
-  for (std::size_t i = 0; i < count; ++i) {
-    const UnitWrench expected = same.wrench(SlipTwist::about_cor(cors[i]));
-    ASSERT_EQ(bits(forces[i]), bits(expected.force)) << cors[i];
-    ASSERT_EQ(bits(moments[i]), bits(expected.moment)) << cors[i];
-  }
-  limitcurve_table_free(table);
-  limitcurve_law_free(law);
 }
 
 TEST(SameBits, UpdateOfAFinger) {

@@ -186,14 +186,6 @@ TEST(SoftFinger, DynamicLimitActsWhileItSlips) {
   EXPECT_NEAR(finger.output().force.x(), -1.13, 1e-12);
 }
 
-TEST(SoftFinger, LeavesAnglesBitForBitAloneWithoutAJump) {
-  auto finger = hertz_finger();
-  for (int i = 0; i < 1000; ++i) {
-    finger.update(on_plane(0.0, 0.0, 0.002), 100.0 + 0.1 * i);
-    ASSERT_EQ(finger.state().sample.angle, 100.0 + 0.1 * i);
-  }
-}
-
 // 1e4 turns of an angle that wraps, forwards and backwards: 2e-8 is a few roundings of the angle.
 TEST(SoftFinger, TenThousandTurnsLoseNoAngle) {
   for (const int sense : {1, -1}) {

@@ -71,13 +71,5 @@ TEST(FreeDisc, StopsSlidingAndSpinningTogether) {
   EXPECT_NEAR(last_ratio({Table::build(uniform(), 1e-8), 1.0, 20.0}), 0.653, 0.0005);
 }
 
-// With uncoupled limits one motion ends long before the other; the ellipse has no fixed ratio but spins on in the end.
-TEST(FreeDisc, DoesSoWithNeitherBoxNorEllipse) {
-  const double m0 = uniform()->moment_ratio();
-  EXPECT_EQ(last_ratio({box(1.0, m0), 1.0, 5.0}), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(last_ratio({box(1.0, m0), 1.0, 100.0}), 0.0);
-  EXPECT_LT(last_ratio({Ellipse::through_intercepts(m0), 1.0, 20.0}), 0.3);
-}
-
 }  // namespace
 }  // namespace limitcurve::godobject::test

@@ -54,21 +54,6 @@ TEST(Host, AContactWithAnOrientationIsThePoseOnTheSurface) {
   for (const int times : seen) EXPECT_GE(times, 20);
 }
 
-/// The wrist's turn about the normal is the spin: 0.3 rad about z and k_r give the moment, whatever it did about x
-/// before.
-TEST(Host, AnOrientationTurnsTheFingerAboutTheNormalAlone) {
-  auto finger = hertz_finger();
-  for (int i = 0; i <= 100; ++i)
-    finger.update(on_plane(0, 0, 0.002), Orientation(AngleAxisd(0.005 * i, Vector3d::UnitX())));
-  EXPECT_NEAR(finger.output().moment, 0.0, 1e-15);
-  const Orientation tilted(AngleAxisd(0.5, Vector3d::UnitX()));
-  const FingerOutput turned =
-      finger.update(on_plane(0, 0, 0.002), Orientation(AngleAxisd(0.01, Vector3d::UnitZ()) * tilted));
-  EXPECT_NEAR(turned.moment, -0.01 * finger.parameters().twist_stiffness, 1e-15);
-  EXPECT_EQ(turned.moment_vector(), Vector3d(0, 0, turned.moment));
-  EXPECT_EQ(turned.whole_force(), turned.force + Vector3d(0, 0, turned.load));
-}
-
 /// A finger slides and turns on a ball that tumbles through the world. Pose, position and contact in the world are made
 /// by matrices.
 TEST(Host, ABodyThatMovesIsFeltAsTheSameMotionSeenFromIt) {
@@ -100,19 +85,6 @@ TEST(Host, ABodyThatMovesIsFeltAsTheSameMotionSeenFromIt) {
   }
   EXPECT_GT(seen[1], 100);
   EXPECT_GT(seen[2], 100);
-}
-
-TEST(Host, ABodyThatMovesBeneathAStillFingerDragsIt) {
-  auto finger = hertz_finger();
-  BodyPose body;
-  for (int i = 0; i < 100; ++i) {
-    body.position.x() = 1e-4 * i;
-    const FingerOutput output =
-        to_world(body, finger.update(to_body(body, on_plane(0, 0, 0.002)), to_body(body, Orientation::Identity())));
-    if (i == 99) {
-      EXPECT_NEAR(output.force.x(), 0.6 * 2.0, 1e-12);
-    }
-  }
 }
 
 TEST(Host, OtherParametersLeaveProxyAndOutput) {

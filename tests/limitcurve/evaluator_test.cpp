@@ -158,16 +158,6 @@ TEST(ReferenceFile, CoversEveryKindOfLaw) {
   }
 }
 
-/// Values that a double holds exactly (times a power of π): no reference file between them and the theory.
-TEST(Anchors, HertzMomentsAreSimpleFractions) {
-  const Law law = hertz();
-  const double m0 = law->moment_ratio();
-  EXPECT_DOUBLE_EQ(law->evaluate(0.25).wrench.moment / m0, 0.93896484375);
-  EXPECT_DOUBLE_EQ(law->evaluate(0.5).wrench.moment / m0, 99.0 / 128.0);
-  EXPECT_DOUBLE_EQ(law->evaluate(1.0).wrench.moment / m0, 3.0 / 8.0);
-  EXPECT_DOUBLE_EQ(law->evaluate(1.0).wrench.force, 0.88357293382212931);  // 9π/32
-}
-
 /// The closed forms are templates: the bounds of closed_form.hpp in ε hold for each Real.
 template <class Real>
 void expect_promised_precision(const char* law, UnitForces<Real> (*form)(Real) noexcept,
@@ -247,13 +237,6 @@ TEST(ForcesForLoops, GiveNaNForNaN) {
     const UnitForces<double> forces = parse_law(name)->forces(std::numeric_limits<double>::quiet_NaN());
     EXPECT_TRUE(std::isnan(forces.force) && std::isnan(forces.moment) && std::isnan(forces.force_slope)) << name;
   }
-}
-
-/// n → −1 is the ring: all load at ρ = 1, f = (2/π)·…, whose wrench at s = 1 is f = m = 2/π.
-TEST(Anchors, PowerLawTendsToTheRing) {
-  const WrenchEstimate estimate = power(-1.0 + 1e-9)->evaluate(1.0);
-  EXPECT_NEAR(estimate.wrench.force, 2.0 / 3.14159265358979323846, 1e-7);
-  EXPECT_NEAR(estimate.wrench.moment, 2.0 / 3.14159265358979323846, 1e-7);
 }
 
 }  // namespace

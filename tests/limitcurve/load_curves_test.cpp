@@ -85,23 +85,6 @@ TEST(CCurve, IsBentWhenTheRadiusGrows) {
   }
 }
 
-TEST(LoadPoint, WithoutLoadIsNothing) {
-  const ExactCurve curve(uniform());
-  for (const char* text : radius_laws) {
-    for (const double cor : {0.0, 0.01, inf}) {
-      const LoadPoint point = load_point(curve, {mu, RadiusLaw::parse(text)}, 0.0, cor);
-      EXPECT_EQ(point.force, 0.0);
-      EXPECT_EQ(point.moment, 0.0);
-      EXPECT_EQ(point.cor, cor);
-    }
-    for (const LoadPoint& point : p_curve(curve, {mu, RadiusLaw::parse(text)}, 0.0, 5)) {
-      EXPECT_EQ(point.force, 0.0);
-      EXPECT_EQ(point.moment, 0.0);
-      EXPECT_FALSE(std::isnan(point.cor));
-    }
-  }
-}
-
 TEST(MomentCapacity, GrowsAsTheLoadTimesTheRadius) {
   const RadiusLaw radius_law = RadiusLaw::power(0.002, 0.25);
   EXPECT_NEAR(moment_capacity(0.6, radius_law, 0.5, 16.0), 0.6 * 0.5 * 16.0 * 0.002 * 2.0, 1e-17);

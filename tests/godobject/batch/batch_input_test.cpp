@@ -143,13 +143,5 @@ TYPED_TEST(BatchInput, StepsFingersOfAnyScale) {
   }
 }
 
-TEST(BatchOfABox, GoesWithTheClosestPointOnly) {
-  const auto limits = box(1.0, 0.5);
-  for (const Projection projection : {Projection::radial, Projection::c_curve}) {
-    EXPECT_THROW(static_cast<void>(Batch(limits, parameters(), projection)), std::invalid_argument);
-    EXPECT_THROW(static_cast<void>(FloatBatch(limits, parameters(), projection)), std::invalid_argument);
-  }
-}
-
 }  // namespace
 }  // namespace limitcurve::godobject::test

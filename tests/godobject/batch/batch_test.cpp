@@ -273,9 +273,6 @@ void expect_batch_of_fingers(double tolerance) {
   EXPECT_GT(only_one, 1000);
 }
 
-TEST(Batch, OfABoxRemembersBothSlips) {
-  expect_batch_of_fingers<double>(1e-12);
-}
 TEST(FloatBatch, OfABoxRemembersBothSlips) {
   expect_batch_of_fingers<float>(1e-5);
 }

@@ -271,23 +271,6 @@ TEST(GivenLoad, NoLoadIsFreeAndABadOneIsAFault) {
   }
 }
 
-// The twist is the spin of an orientation about the normal; a normal that is turned over leaves numbers.
-TEST(GivenLoad, AnOrientationGivesTheTwist) {
-  SoftFinger by_angle = hertz_finger();
-  SoftFinger by_turn = hertz_finger();
-  for (int i = 0; i < 100; ++i) {
-    const Orientation turn(
-        Eigen::Quaterniond(AngleAxisd(0.1 * i, Vector3d::UnitZ()) * AngleAxisd(0.3, Vector3d::UnitX())));
-    const FingerOutput expected =
-        by_angle.update_under_load({1e-4 * i, 0.0, 0.0}, Vector3d::UnitZ(), 2.0, 0.1 * i, 1e-3);
-    const FingerOutput out = by_turn.update_under_load({1e-4 * i, 0.0, 0.0}, Vector3d::UnitZ(), 2.0, turn, 1e-3);
-    EXPECT_NEAR(out.moment, expected.moment, 1e-12) << i;
-    EXPECT_NEAR(out.force.x(), expected.force.x(), 1e-10) << i;
-  }
-  const FingerOutput over = by_angle.update_under_load({0.0, 0.0, 0.0}, -Vector3d::UnitZ(), 2.0, 10.0, 1e-3);
-  EXPECT_TRUE(over.force.allFinite() && over.proxy.allFinite() && over.force.norm() <= 1.2 * (1.0 + 1e-12));
-}
-
 // From a depth to a load and back in one contact: the springs stay, and dampers, which know no velocity there, do not
 // act.
 TEST(GivenLoad, AFingerMayChangeBetweenBoth) {

@@ -244,34 +244,6 @@ TEST(PatchFinger, SteadyTwistGivesThePatchsWrench) {
   }
 }
 
-TEST(PatchFinger, DissipatesAndHoldsStill) {
-  for (const auto& [name, patch] : patches()) {
-    SoftFinger finger(patch, usual());
-    std::mt19937 bits(2);
-    std::normal_distribution<double> normal;
-    double x = 0.0;
-    double y = 0.0;
-    double twist = 0.0;
-    for (int i = 0; i < 500; ++i) {
-      x += 2e-4 * normal(bits);
-      y += 2e-4 * normal(bits);
-      twist += 0.03 * normal(bits);
-      const FingerOutput output = finger.update(on_plane(x, y, 1e-3 * (1.2 + std::sin(0.05 * i))), twist, 1e-3);
-      EXPECT_GE(output.slip_work, 0.0);
-      EXPECT_TRUE(output.force.allFinite() && std::isfinite(output.moment));
-      EXPECT_LE(finger.load_to_hold(), output.load * (1.0 + 1e-6)) << name;
-    }
-    const FingerOutput held = finger.output();
-    for (int i = 0; i < 100; ++i) finger.update(on_plane(x, y, 1e-3 * (1.2 + std::sin(0.05 * 499))), twist, 1e-3);
-    const FingerOutput settled = finger.output();
-    const FingerOutput later = finger.update(on_plane(x, y, 1e-3 * (1.2 + std::sin(0.05 * 499))), twist, 1e-3);
-    EXPECT_EQ(later.proxy, settled.proxy) << name;
-    EXPECT_EQ(later.angle, settled.angle) << name;
-    EXPECT_EQ(later.state, ContactState::stick) << name;
-    EXPECT_NEAR((later.proxy - held.proxy).norm(), 0.0, 1e-9) << name;
-  }
-}
-
 TEST(PatchFinger, FrictionAlongAndAcrossTurnsWithTheFinger) {
   // Twice as rough along the patch's x axis.
   FingerParameters parameters = usual();

@@ -75,16 +75,6 @@ TEST(ChooseStep, APureTwistNeedsNoCoupling) {
   EXPECT_TRUE(choice.verdict.front().starts_with("uncoupled will do")) << choice.verdict.front();
 }
 
-TEST(ChooseStep, WhatIsHeldNeedsNoCouplingEither) {
-  Scene held = scene();
-  held.slide = 0.2 * held.mu * held.least_load / held.stiffness;
-  held.twist = 0.2 * 0.589 * held.mu * held.least_load * 0.006 / held.twist_stiffness;
-  const StepChoice choice = choose_step(held, 0.01);
-  EXPECT_LT(choice.effects.coupling.largest, 1e-9);
-  EXPECT_GT(choice.effects.torsion.largest, 0.1);
-  EXPECT_TRUE(choice.verdict.front().starts_with("uncoupled will do")) << choice.verdict.front();
-}
-
 TEST(ChooseStep, SlidingAndTwistingAtOnceNeedsCoupling) {
   const StepChoice choice = choose_step(scene(), 0.01);
   EXPECT_TRUE(choice.verdict.front().starts_with("coupling is needed")) << choice.verdict.front();

@@ -30,10 +30,6 @@ ReplayOptions options(CurveKind curve = CurveKind::exact, Projection projection 
   return result;
 }
 
-Quaterniond about(const Vector3d& axis, double angle) {
-  return Quaterniond(Eigen::AngleAxisd(angle, axis));
-}
-
 DevicePose pose(const Vector3d& position, double twist = 0.0) {
   return {position, Quaterniond::Identity(), twist};
 }
@@ -75,83 +71,6 @@ TEST(Replay, OnThePlaneAtRestIsTheFinger) {
       EXPECT_TRUE(std::isnan(replay.contacts().front().cor)) << name;
     }
   }
-}
-
-// A plate turns under a finger at rest: the slip turns about the plate's axis, and eq. (17) gives the wrench.
-TEST(Replay, ATurntableRubsAsEquation17Says) {
-  ReplayOptions with = options();
-  with.motion = BodyMotion::prescribed;
-  // So stiff that the springs deflect by a thousandth of the distance to the axis, 4 mm.
-  with.finger.stiffness = 3e5;
-  with.finger.twist_stiffness = 12.0;
-  Replay replay(with);
-  const double cor = 0.004;
-  const double load = 2.0;
-  SceneContact contact;
-  for (int i = 0; i <= 4000; ++i) {
-    contact = moved(replay, i * 1e-3, pose({cor, 0.0, -load / with.finger.stiffness}),
-                    {Vector3d::Zero(), about(Vector3d::UnitZ(), 2e-4 * i)});
-  }
-  const UnitForces<double> exact = hertz()->forces(cor / radius);
-  // The plate's material moves along +y and turns to the left: so does what it does to the finger.
-  EXPECT_NEAR(contact.force.y(), mu * load * exact.force, 2e-3 * mu * load);
-  EXPECT_NEAR(contact.moment, mu * load * radius * exact.moment, 2e-3 * mu * load * radius);
-  EXPECT_LT(contact.centre_of_rotation.norm(), 2e-3 * cor);
-  EXPECT_NEAR(contact.cor, cor, 2e-3 * cor);
-  EXPECT_EQ(contact.margin, 0.0);
-  EXPECT_NEAR(contact.load_to_hold, load, 1e-9);
-  // Power: force times speed and moment times turning, 0.2 rad/s for most of four seconds.
-  EXPECT_NEAR(contact.dissipated, (contact.force.norm() * cor + contact.moment) * 0.8, 0.05 * contact.dissipated);
-}
-
-TEST(Replay, FrictionOnABallIsTangential) {
-  ReplayOptions with = options();
-  const double ball = 0.05;
-  with.surface = AnySurface(SphereSurface(ball));
-  Replay replay(with);
-  int slips = 0;
-  for (int i = 0; i <= 2000; ++i) {
-    const double angle = 1e-3 * i;
-    const Vector3d finger =
-        (ball - 0.002) * Vector3d(std::sin(angle), 0.3 * std::sin(2.0 * angle), std::cos(angle)).normalized();
-    const SceneContact contact = moved(replay, i * 1e-3, {finger, about(Vector3d::UnitY(), angle), 0.0});
-    slips += contact.state == ContactState::slip;
-    // The spring goes from the proxy on the ball to the finger: along the normal it is shorter than the depth by what
-    // the ball falls away.
-    const double deflection = contact.force.norm() / 1000.0;
-    ASSERT_NEAR(contact.load, 1000.0 * (0.002 - (ball - std::sqrt(ball * ball - deflection * deflection))),
-                2.5e-6);  // k r^4/8R^3, r with a stride
-    ASSERT_LT(std::fabs(contact.force.dot(contact.normal)), 1e-13);
-    ASSERT_LT((contact.normal - finger.normalized()).norm(), 1e-14);
-    ASSERT_LE(contact.force.norm(), mu * 2.0 * (1.0 + 1e-12));
-    ASSERT_NEAR(contact.proxy.norm(), ball, 4e-9);  // r^4/8R^3 = 2e-9 at most
-  }
-  EXPECT_GT(slips, 1900);
-}
-
-// A finger that sticks to a free plate on an air table and moves off at a steady speed takes the plate along.
-TEST(Replay, TakesAFreeBodyAlong) {
-  ReplayOptions with = options();
-  with.motion = BodyMotion::free;
-  with.finger.damping = 2.0;
-  with.finger.twist_damping = 5e-3;
-  const Vector3d edges{0.1, 0.06, 0.02};
-  with.surface = AnySurface(BoxSurface(0.5 * edges));
-  with.body = BodyParameters::planar_block(0.2, edges, 0.0);
-  Replay replay(with);
-  SceneContact contact;
-  for (int i = 0; i <= 3000; ++i) {
-    const double t = i * 1e-3;
-    // Turns to the left at 0.2 rad/s about the plate's centre of mass, and moves along y at 20 mm/s.
-    const double angle = 0.2 * t;
-    const Vector3d arm{0.02 * std::cos(angle), 0.02 * std::sin(angle), 0.008};
-    contact = moved(replay, t, {arm + Vector3d(0.0, 0.02 * t, 0.0), about(Vector3d::UnitZ(), angle), 0.0});
-    ASSERT_NE(contact.state, ContactState::free);
-  }
-  EXPECT_EQ(contact.state, ContactState::stick);
-  EXPECT_NEAR(replay.body().velocity.y(), 0.02, 2e-4);
-  EXPECT_NEAR(replay.body().angular_velocity.z(), 0.2, 2e-3);
-  EXPECT_EQ(replay.body().velocity.z(), 0.0);
 }
 
 // While a sample is invalid the wrench is held in the body's frame: force and normal turn together. The position is the

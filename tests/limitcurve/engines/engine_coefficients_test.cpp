@@ -264,14 +264,6 @@ TEST(EngineCoefficients, APatchThatIsADiscIsTranslatedAsOne) {
   }
 }
 
-TEST(EngineCoefficients, PatchRadiusOfGazeboIsTheContactRadiusForHertz) {
-  for (const EngineContact& contact : translate(hertz(), silicone, 0.8, 3.0)) {
-    if (contact.engine == "gazebo") {
-      EXPECT_NEAR(coefficient(contact, "surface/friction/torsional/patch_radius") / silicone.radius(3.0), 1.0, 1e-14);
-    }
-  }
-}
-
 /// The largest distance in the normalised plane of both wrenches of one slip; the ellipse's has the direction (s, 1), s
 /// = c/(m₀ a).
 double largest_distance_of_wrenches(const Law& law) {

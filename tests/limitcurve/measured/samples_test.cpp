@@ -86,12 +86,6 @@ TEST(Samples, RowsWithoutPressureAtTheEndAreNoContact) {
   for (const auto& one : none) EXPECT_THROW(samples(one, "none.csv"), std::invalid_argument);
 }
 
-TEST(Samples, AParabolaIsFoundFarCloser) {
-  // No singularity at the rim: the monotone cubic is of third order there.
-  const Law law = samples(sampled([](double r) { return (1.0 - r) * (1.0 + r); }, 200, 0.0), "parabola.csv");
-  expect_within_stated_error(*law, *parabolic(), 5e-5);
-}
-
 /// p = 1 on b ≤ ρ ≤ 1: the uniform disc less a smaller one, by linearity.
 UnitWrench annulus(double b, double s) {
   const WrenchEstimate whole = uniform()->evaluate(s);
@@ -113,12 +107,6 @@ TEST(Samples, ARingWithSharpEdgesIsExact) {
     EXPECT_NEAR(estimate.wrench.moment, exact.moment, bound + bound * exact.moment) << s;
     EXPECT_LE(estimate.error.force, bound);
   }
-}
-
-TEST(Samples, ASmoothRingIsThatOfTheSamePressureAsAFunction) {
-  const auto bump = [](auto r) { return std::exp(-40.0 * (r - 0.6) * (r - 0.6)) * (1.0 - r * r); };
-  const Law law = samples(sampled(bump, 120, 0.0), "bump.csv");
-  expect_within_stated_error(*law, *test::law_of_function("bump", bump, {0, 0.6L, 1}), 1e-3);
 }
 
 TEST(Samples, OfAFormulaAreExactWhereTheirRadiiCrowdAtTheRim) {
@@ -378,14 +366,6 @@ TEST(Samples, TheInterpolantDoesNotOvershoot) {
     EXPECT_GE(density, 0.0);
     EXPECT_LE(density, top * (1.0 + 1e-12));
   }
-}
-
-TEST(Samples, TabulatesWithinItsBudget) {
-  const Law law = samples(sampled([](double r) { return std::sqrt((1.0 - r) * (1.0 + r)); }, 60, 0.0), "hertz.csv");
-  const Table table = Table::build(law, 1e-6);
-  EXPECT_LE(table.bytes(), 4096U);
-  const std::array<PressureSample, 6> ring{{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {2.0, 3.0}, {3.0, 3.0}, {4.0, 3.0}}};
-  EXPECT_LE(Table::build(samples(ring, "ring.csv"), 1e-8).bytes(), 65536U);
 }
 
 TEST(Samples, TheErrorOfATableIsHeldByItsFilesChecksum) {

@@ -156,14 +156,6 @@ TEST(CurveError, IsWhatCountingFinds) {
   }
 }
 
-TEST(CurveError, OfACurveAgainstItselfIsNothing) {
-  const ExactCurve exact(hertz());
-  const CurveError error = curve_error(exact, exact);
-  EXPECT_LE(error.max_error, 1e-14);
-  EXPECT_LE(error.rms_error, 1e-14);
-  EXPECT_LE(error.max_cor_error, 1e-9);
-}
-
 /// A box meets the diagonal at √2, the exact curve there at a little less than 1: some 1.5 times too strong.
 TEST(CurveError, OfTheBox) {
   const ExactCurve exact(hertz());

@@ -124,41 +124,5 @@ TEST(Metamorphic, TwoEqualFingersOnAFreeBodyAreOneTwiceAsStiff) {
   EXPECT_GT(compared, 3000);
 }
 
-// Times that are over move nothing, and a later beginning changes nothing: every number stays, unless dampers miss a
-// velocity.
-TEST(Metamorphic, AFreeBodyLaterOrWithARefusedRowDoesTheSame) {
-  for_each_choice(43, [](const Choice& choice, Random& random) {
-    if (choice.surface.name == "plane") return;
-    ReplayOptions options = options_of(choice);
-    options.motion = BodyMotion::free;
-    options.body = BodyParameters::block(0.1, {0.04, 0.03, 0.05});
-    const Replay start(options);
-    Replay plain = start;
-    Replay later = start;
-    Replay refusing = start;
-    const std::array devices{RandomDevice(choice.surface.surface, random),
-                             RandomDevice(choice.surface.surface, random)};
-    const int refused = static_cast<int>(random.uniform(0.0, 80.0));
-    for (int i = 0; i < 80; ++i) {
-      const double time = i * time_step;
-      const std::array fingers{devices[0].at(time), devices[1].at(time)};
-      plain.step(time, fingers);
-      later.step(time + 4096.0, fingers);
-      refusing.step(time, fingers);
-      SCOPED_TRACE("row " + std::to_string(i));
-      for (std::size_t finger = 0; finger < 2; ++finger) {
-        expect_equal(plain.contacts()[finger], later.contacts()[finger]);
-        if (options.finger.damping == 0.0) expect_equal(plain.contacts()[finger], refusing.contacts()[finger]);
-        if (testing::Test::HasFatalFailure()) return;
-      }
-      ASSERT_EQ(plain.body().position, later.body().position);
-      if (i == refused) {
-        refusing.step(i % 2 == 0 ? -1.0 : std::numeric_limits<double>::quiet_NaN(), fingers);
-        for (const SceneContact& contact : refusing.contacts()) ASSERT_EQ(to_string(contact.state), "invalid");
-      }
-    }
-  });
-}
-
 }  // namespace
 }  // namespace limitcurve::godobject::test::metamorphic

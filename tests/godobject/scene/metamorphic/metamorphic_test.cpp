@@ -110,20 +110,5 @@ TEST(Metamorphic, ABodyMovedWithItsFingersFeelsLikeOneAtRest) {
   });
 }
 
-// Two fingers at one point have the same output as a single finger there.
-TEST(Metamorphic, TwoEqualFingersFeelAlike) {
-  for_each_scene(7, [](const Scene& scene, const std::vector<Felt>& felt, Random&) {
-    std::vector<Row> equal = scene.rows;
-    for (Row& row : equal) row.fingers[1] = row.fingers[0];
-    const std::vector<Felt> both = replay(scene, equal);
-    for (std::size_t i = 0; i < felt.size(); ++i) {
-      SCOPED_TRACE("row " + std::to_string(i));
-      expect_equal(felt[i][0], both[i][0]);
-      expect_equal(felt[i][0], both[i][1]);
-      if (testing::Test::HasFatalFailure()) return;
-    }
-  });
-}
-
 }  // namespace
 }  // namespace limitcurve::godobject::test::metamorphic
