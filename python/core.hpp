@@ -113,6 +113,9 @@ void pickle_plainly(Class& type) {
 
 /// A law from a str or a Law.
 Law law_of(nb::handle law);
+
+/// Warns where the law's own error of samples is above that of the curve which holds.
+void warn_of_samples(const std::string& law, double own_error, double error_of_curve);
 /// The limit curve of a Table or of a Curve from `ellipse` or `box`.
 template <class Real>
 godobject::BasicFingerCurve<Real> curve_of(nb::handle curve);

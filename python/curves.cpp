@@ -38,6 +38,8 @@ const godobject::FingerCurve& curve_in(const PyCurve& curve) {
 
 template <class Curve>
 nb::object loads_to_hold(const Curve& curve, const BoundArguments& given) {
+  if constexpr (std::is_same_v<Curve, Table>)
+    warn_of_samples(curve.law_name(), curve.profile_error(), curve.checked_error());
   const nb::handle force = given[0];
   const nb::handle moment = given[1];
   const nb::handle mu = given[2];
@@ -340,6 +342,12 @@ PyCurve closed_curve(const std::string& name, double force_max, double moment_ma
   }
   const Box limits = box(force_max, moment_max);
   return {limits, limits, name, force_max, moment_max};
+}
+
+void warn_of_samples(const std::string& law, double own_error, double error_of_curve) {
+  if (own_error > error_of_curve)
+    warn("load_to_hold: the unit wrenches of " + law + " may be off by " + format_number(own_error, 2) +
+         ", because the pressure is known only at samples: see hold_error of lc.run('hold', ...)");
 }
 
 Law law_of(nb::handle law) {

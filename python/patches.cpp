@@ -5,6 +5,7 @@
 #include "cli/io/output_file.hpp"
 #include "cli/io/table_reader.hpp"
 #include "cli/io/table_writer.hpp"
+#include "limitcurve/accuracy.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/patch/half_spaces.hpp"
 
@@ -60,6 +61,10 @@ nb::object wrench(const PyPatch& patch, const BoundArguments& given) {
 }
 
 nb::object loads_to_hold_patch(const PyPatch& patch, const BoundArguments& given) {
+  if (patch.made_of.kind == "ellipse") {
+    const Law law = patch.round_measures().law;
+    warn_of_samples(law->name(), law->profile_error(), accuracy::patch_ellipse_other);
+  }
   return of_numbers<1, 16, 4>({given[0], given[1], given[2], given[3]}, {"fx", "fy", "moment", "mu"},
                               {ranges::finite, ranges::finite, ranges::finite, ranges::non_negative},
                               [&](const std::array<double, 4>& of) {
@@ -226,11 +231,17 @@ void add_patch_tables(nb::module_& module) {
         const PyPatch patch = nb::isinstance<PyPatch>(given[0]) ? nb::cast<const PyPatch&>(given[0])
                                                                 : asked(cli::parse_patch(string_of(given[0], "patch")));
         const double tolerance = number_of(given[1], "tolerance", PatchTable::default_tolerance);
-        new (self) PyPatchTable(PatchTable::build(patch, tolerance, patch.words()));
+        const PatchTable table = [&] {
+          const nb::gil_scoped_release release;
+          return PatchTable::build(patch, tolerance, patch.words());
+        }();
+        new (self) PyPatchTable(table);
       },
       "The smallest table with an error of at most `tolerance`, in [1e-5, 0.1], of the force in units of mu P, and of "
       "the moment\n"
-      "in units of the largest one. Up to seconds. ValueError names the finest tolerance that 2 MiB allow.");
+      "in units of the largest one. Up to seconds. ValueError names the finest tolerance that 2 MiB allow. Releases "
+      "the "
+      "GIL.");
   define_static(
       type, "def load(path: str | os.PathLike[str]) -> PatchTable",
       [](const BoundArguments& given) { return PyPatchTable(cli::read_patch_table(path_of(given[0]))); },

@@ -2,7 +2,6 @@
 #include "limitcurve/laws.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace limitcurve {
@@ -21,8 +20,8 @@ class UniformWearLaw final : public PressureLawOf<UniformWearLaw> {
   /// Where the quadrature would leave out load at the centre, the first term is exact.
   std::optional<UnitForces<Extended>> closed(Extended s, Slope /*slope*/) const noexcept override {
     if (!(s <= 1e-20L)) return std::nullopt;
-    const Extended logarithm =
-        std::numbers::ln2_v<Extended> - std::log(std::fmax(s, Extended(std::numeric_limits<double>::min()))) / 2;
+    constexpr Extended ln2 = std::numbers::ln2_v<Extended>;
+    const Extended logarithm = ln2 - (s > 0 ? std::log(s) : -1074 * ln2) / 2;  // 2^-1074 is the smallest double
     return UnitForces<Extended>{s * (logarithm + 0.25L), 0.5L, logarithm - 0.25L};
   }
 };
