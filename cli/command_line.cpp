@@ -225,6 +225,10 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
   for (const Entry& entry : entries) {
     if (!entry.app->parsed()) continue;
     results.format = entry.format.value_or(results.format);
+    for (const CLI::Option* const option : entry.app->get_options()) {
+      if (option->count() == 0) continue;
+      for (const std::string& long_name : option->get_lnames()) results.given.push_back("--" + long_name);
+    }
     Messages own(Messages::Kind::notes);
     if (results.messages == nullptr) results.messages = &own;
     if (entry.quiet) results.messages->silence();

@@ -111,12 +111,12 @@ class Fit final : public Subcommand {
     if (residuals_ && (data_.empty() || (kind_ != fit::Kind::law && kind_ != fit::Kind::ellipse)))
       throw std::invalid_argument("--residuals: only for a curve that is fitted to the slips of --data, got fit " +
                                   name());
-    tell_idle();
     const bool is_friction = kind_ == fit::Kind::friction;
     if (!is_friction && !patch_.empty())
       throw std::invalid_argument("--patch: only for fit friction, got fit " + name());
     if (!is_friction && load_) throw std::invalid_argument("--load: only for fit friction, got fit " + name());
     const fit::ModelFit found = this->found();
+    warn_idle(results, kind_ == fit::Kind::ratio && found.report.find(fit::Estimate::Role::force) == nullptr);
     for (const auto& [model, difference] : found.candidates)
       say("note", model + ": AIC " + format_number(difference, 3) + " above the best");
     if (kind_ != fit::Kind::load && found.model != name()) say("note", "the model is " + found.model);
@@ -166,7 +166,7 @@ class Fit final : public Subcommand {
     if (patch_.empty()) throw std::invalid_argument("--patch is required to fit 'friction'");
     const Patch patch = read_patch(patch_, *messages_);
     if (load_) {
-      *load_ *= file_columns_.force;
+      *load_ *= file_columns_.scale("force");
       UnitChecks questions;
       questions.load(*load_);
       messages_->say(questions.lines());
@@ -179,24 +179,18 @@ class Fit final : public Subcommand {
     }
   }
 
-  /// Says which options change nothing.
-  void tell_idle() const {
+  void warn_idle(const Results& results, bool has_ratios) const {
     using fit::Kind;
-    const fit::FitOptions standard;
     const bool has_data = !data_.empty();
-    const bool of_slips = has_data && kind_ != Kind::load && kind_ != Kind::friction;
-    std::string idle;
-    const auto ask = [&](const char* option, bool given, bool used) {
-      if (given && !used) idle += (idle.empty() ? "" : ", ") + std::string(option);
-    };
-    ask("--law", settings_.law != nullptr, !has_data || kind_ == Kind::law || kind_ == Kind::ratio);
-    ask("--criterion", settings_.criterion != standard.criterion, !has_data);
-    ask("--loss", settings_.loss.kind != standard.loss.kind, has_data && kind_ != Kind::friction);
-    ask("--gamma", settings_.gamma != 0.0, of_slips);
-    ask("--fit-gamma", settings_.fit_gamma, of_slips);
-    ask("--load-model", settings_.load_model != standard.load_model, kind_ == Kind::load);
-    ask("--largest-radius", settings_.largest_radius != standard.largest_radius, of_slips && kind_ != Kind::ellipse);
-    if (!idle.empty()) say("warning", idle + ": without effect on fit " + name() + (has_data ? "" : " without --data"));
+    const bool of_slips = has_data && kind_ != Kind::load && kind_ != Kind::friction && !has_ratios;
+    results.warn_idle({{"--law", has_data && kind_ != Kind::law && kind_ != Kind::ratio},
+                       {"--criterion", has_data},
+                       {"--loss", !has_data || kind_ == Kind::friction},
+                       {"--gamma", !of_slips},
+                       {"--fit-gamma", !of_slips},
+                       {"--load-model", kind_ != Kind::load},
+                       {"--largest-radius", !of_slips || kind_ == Kind::ellipse}},
+                      "fit " + name() + (has_data ? has_ratios ? " of published ratios" : "" : " without --data"));
   }
 
   /// A note or warning that the user must know before using the numbers.

@@ -123,6 +123,8 @@ class Hold final : public Subcommand {
       throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
     if (!down_.empty() && (patch_.empty() || !mass_))
       throw std::invalid_argument("--down: goes with --patch and --mass");
+    results.warn_idle({{"--gravity", !fingers_ && !mass_ && !offset_}}, "hold without --mass");
+    if (data_.empty()) columns_.warn_idle_units({"force", "moment"}, "--force and --moment");
     if (patch_.empty()) {
       torsion_.check(law_, *results.messages);
       // Without friction no radius matters, and measured moments give none.
@@ -239,7 +241,8 @@ class Hold final : public Subcommand {
                                   (expected == 1 ? "one, F" : "two, FX,FY"));
     }
     if (force_.empty() || !moment_) throw std::invalid_argument("--force and --moment: expected both");
-    return {columns_.force * force_[0], expected == 2 ? columns_.force * force_[1] : 0.0, columns_.moment * *moment_};
+    const double unit = columns_.scale("force");
+    return {unit * force_[0], expected == 2 ? unit * force_[1] : 0.0, columns_.scale("moment") * *moment_};
   }
 
   Law law_;

@@ -174,6 +174,14 @@ class Pivot final : public Subcommand {
     }
     settings_.grip = grip_file_.empty() ? release_ : read_grip(grip_file_);
     godobject::Pivot pivot(settings_);
+    const CurveKind curve = settings_.limit_curve();
+    const bool is_ellipse = curve == CurveKind::ellipse;
+    results.warn_idle(
+        {{"--law", !radius_law_ && (is_ellipse || curve == CurveKind::box)},
+         {"--tolerance", curve != CurveKind::table},
+         // In units of the standard k_r the ellipse is a circle, onto which all projections are one.
+         {"--projection", is_ellipse && !radius_law_ && !settings_.twist_stiffness && !settings_.mu_r_dynamic}},
+        "pivot with this limit curve");
     describe(*results.messages, pivot);
     Rows rows(results, {"time", "x", "y", "angle", "grip_slip", "load", "friction_force", "friction_moment", "state",
                         "cor", "r", "rho", "trial_r", "trial_rho"});

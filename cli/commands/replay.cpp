@@ -181,6 +181,10 @@ class Replay final : public Subcommand {
       throw std::invalid_argument("--radius-law is required, unless --mu-r is given");
     }
     columns_.messages = results.messages;
+    const bool is_round = patch_.empty();
+    results.warn_idle({{"--law", is_round && law_if_needed(nullptr, replay_.curve, !radius_law_) != nullptr},
+                       {"--tolerance", !is_round || replay_.curve != CurveKind::table}},
+                      is_round ? "replay with this --curve" : "replay with --patch");
     if (device_ && !reads_ahead()) godobject::require_passive(replay_.finger, sample_time_, *device_, delay_);
     const BodyArgument body = body_argument();
     const bool in_space = !on_plane_ || body.motion != BodyMotion::fixed || fingers_ > 1;
@@ -190,6 +194,8 @@ class Replay final : public Subcommand {
     replay_.body = body.parameters;
     if (!patch_.empty()) {
       replay_.patch = read_patch(patch_, *results.messages);
+      const auto spin = [&](double radius) { return replay_.patch->smoothed(radius).power({0.0, 0.0, 1.0}); };
+      results.warn_idle({{"--point-radius", spin(1e-3) == spin(2e-3)}}, "a patch without points");
     }
     replay_.point_radius = point_radius_.value_or(0.0);
     run_replay(results, columns_of_finger(in_space, details_));

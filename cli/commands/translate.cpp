@@ -142,6 +142,7 @@ class Translate final : public Subcommand {
       refuse("--engine", !engine_.empty(), "--read, which names the engine");
       refuse("--mu", frictions_.size() > 1, "--read if it has several values");
       if (law_ == nullptr) throw std::invalid_argument("--law is required");
+      results.warn_idle({{"--explain", true}}, "translate --read");
       return read(results);
     }
     if (frictions_.empty()) throw std::invalid_argument("--mu is required");

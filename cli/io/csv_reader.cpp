@@ -101,6 +101,11 @@ CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns,
       throw complaint_at(0, "an empty file, expected a header line with " + expected_);
     }
     find_header();
+    std::vector<std::string_view> quantities;
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+      if (places_[i] != missing) quantities.push_back(FileColumns::quantity_of(own_[i]));
+    }
+    file_columns.warn_idle_units(quantities, name_);
   } catch (...) {
     if (descriptor_ != descriptor::standard_input) descriptor::close(descriptor_);
     throw;
@@ -238,19 +243,7 @@ void CsvReader::split() {
 }
 
 void CsvReader::take(const FileColumns& file_columns) {
-  const auto unit_of = [&](std::string_view column) {
-    column = column.substr(0, column.find_last_not_of("0123456789") + 1);  // x2 is the x of the second finger
-    const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
-      return std::find(names.begin(), names.end(), column) != names.end();
-    };
-    if (is_one_of({"radius", "sigma_radius", "ratio", "ratio_sd", "dx", "dy", "x", "y", "z", "bx", "by", "bz"}))
-      return file_columns.length;
-    if (is_one_of({"load", "force", "sigma_force", "force_x", "force_y", "fx", "fy"})) return file_columns.force;
-    if (is_one_of({"moment", "sigma_moment"})) return file_columns.moment;
-    if (is_one_of({"twist", "dtheta"})) return file_columns.angle;
-    return column == "time" ? file_columns.time : 1.0;
-  };
-  for (const std::string& column : columns_) units_.push_back(unit_of(column));
+  for (const std::string& column : columns_) units_.push_back(file_columns.scale(FileColumns::quantity_of(column)));
   own_ = columns_;
   const std::vector<std::string>& own = own_;
   load_ = static_cast<std::size_t>(std::find(own.begin(), own.end(), "load") - own.begin());
@@ -372,9 +365,9 @@ bool CsvReader::next() {
       continue;
     }
     if (zero_) ++zero_row_;
-    const bool rests =
-        (file_columns_.least_load && number(load_, finite) < *file_columns_.least_load * file_columns_.force) ||
-        is_without_load();
+    const bool rests = (file_columns_.least_load &&
+                        number(load_, finite) < *file_columns_.least_load * file_columns_.scale("force")) ||
+                       is_without_load();
     if (rests) {
       ++left_out_;
       ++resting_;

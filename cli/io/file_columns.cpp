@@ -24,8 +24,6 @@ struct Unit {
 const std::vector<Unit> length_units{{"m", 1.0}, {"cm", 0.01}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}};
 const std::vector<Unit> force_units{{"N", 1.0},  {"mN", 1e-3},     {"uN", 1e-6},
                                     {"kN", 1e3}, {"kgf", 9.80665}, {"lbf", 4.4482216152605}};
-const std::vector<Unit> angle_units{{"rad", 1.0}, {"deg", std::numbers::pi / 180.0}};
-const std::vector<Unit> time_units{{"s", 1.0}, {"ms", 1e-3}};
 
 std::vector<Unit> products(const std::vector<Unit>& first, const std::vector<Unit>& second) {
   std::vector<Unit> all;
@@ -37,9 +35,18 @@ std::vector<Unit> products(const std::vector<Unit>& first, const std::vector<Uni
 
 struct Quantity {
   std::string_view name;
-  double FileColumns::*of;
-  const std::vector<Unit>& units;
+  std::vector<Unit> units;
+  std::vector<std::string_view> columns;
 };
+
+const std::array<Quantity, 5> quantities{
+    {{"length",
+      length_units,
+      {"radius", "sigma_radius", "ratio", "ratio_sd", "dx", "dy", "x", "y", "z", "bx", "by", "bz"}},
+     {"force", force_units, {"load", "force", "sigma_force", "force_x", "force_y", "fx", "fy"}},
+     {"moment", products(force_units, length_units), {"moment", "sigma_moment"}},
+     {"angle", {{"rad", 1.0}, {"deg", std::numbers::pi / 180.0}}, {"twist", "dtheta"}},
+     {"time", {{"s", 1.0}, {"ms", 1e-3}}, {"time"}}}};
 
 /// Where the first `separator` outside of double quotes is, or the end.
 std::size_t end_of_item(std::string_view text, char separator) {
@@ -97,6 +104,26 @@ FileColumns::Parts FileColumns::parts_of(std::string_view text) {
   }
 }
 
+std::string_view FileColumns::quantity_of(std::string_view column) {
+  column = column.substr(0, column.find_last_not_of("0123456789") + 1);  // x2 is the x of the second finger
+  for (const auto& [name, units, columns] : quantities) {
+    if (std::find(columns.begin(), columns.end(), column) != columns.end()) return name;
+  }
+  return "";
+}
+
+double FileColumns::scale(std::string_view quantity) const {
+  const auto given = scales.find(quantity);
+  return given == scales.end() ? 1.0 : given->second;
+}
+
+void FileColumns::warn_idle_units(const std::vector<std::string_view>& used, const std::string& what) const {
+  for (const auto& [quantity, scale] : scales) {
+    if (messages != nullptr && std::find(used.begin(), used.end(), quantity) == used.end())
+      messages->say("limitcurve: warning: --units " + quantity + ": without effect on " + what);
+  }
+}
+
 void FileColumns::check_zero() const {
   if (zero && !least_load)
     throw std::invalid_argument("--zero: needs --least-load, below which the sensor carries nothing");
@@ -104,21 +131,15 @@ void FileColumns::check_zero() const {
 
 std::optional<double> FileColumns::unit(std::string_view text) {
   if (text.size() > 2 && (text.front() == '[' || text.front() == '(')) text = text.substr(1, text.size() - 2);
-  static const std::vector<Unit> moments = products(force_units, length_units);
-  for (const std::vector<Unit>* units : {&length_units, &force_units, &moments, &angle_units, &time_units}) {
-    const auto known = std::ranges::find_if(*units, [&](const Unit& one) { return one.name == text; });
-    if (known != units->end()) return known->value;
+  for (const Quantity& quantity : quantities) {
+    const auto known =
+        std::find_if(quantity.units.begin(), quantity.units.end(), [&](const Unit& one) { return one.name == text; });
+    if (known != quantity.units.end()) return known->value;
   }
   return std::nullopt;
 }
 
 void FileColumns::read_units(std::string_view list) {
-  static const std::vector<Unit> moments = products(force_units, length_units);
-  const std::array<Quantity, 5> quantities{{{"length", &FileColumns::length, length_units},
-                                            {"force", &FileColumns::force, force_units},
-                                            {"moment", &FileColumns::moment, moments},
-                                            {"angle", &FileColumns::angle, angle_units},
-                                            {"time", &FileColumns::time, time_units}}};
   for_each_item(list, units_text, [&](const std::string& name, const std::string& unit) {
     const auto quantity =
         std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& one) { return one.name == name; });
@@ -127,7 +148,7 @@ void FileColumns::read_units(std::string_view list) {
         std::find_if(quantity->units.begin(), quantity->units.end(), [&](const Unit& one) { return one.name == unit; });
     const auto number = known == quantity->units.end() ? parse_number(unit) : known->value;
     if (!number || !positive.contains(*number)) return false;
-    this->*quantity->of = *number;
+    scales.insert_or_assign(name, *number);
     return true;
   });
   options.append(" --units ").append(shell_word(list));

@@ -3,6 +3,8 @@
 
 #include "cli/io/messages.hpp"
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +24,13 @@ struct FileColumns {
   /// The value in SI units of a unit of --units, which may be in brackets.
   [[nodiscard]] static std::optional<double> unit(std::string_view text);
 
+  /// The quantity of one of a reader's columns, such as "length" of x2; "" if it has no unit.
+  [[nodiscard]] static std::string_view quantity_of(std::string_view column);
+  /// The file's unit of a quantity, in SI.
+  [[nodiscard]] double scale(std::string_view quantity) const;
+  /// Warns of the units of quantities other than those that are `used`: they are without effect on `what`.
+  void warn_idle_units(const std::vector<std::string_view>& used, const std::string& what) const;
+
   /// What stands after the equals sign of an item of --columns.
   struct Parts {
     bool turned = false;
@@ -36,11 +45,7 @@ struct FileColumns {
   [[nodiscard]] bool given() const { return !options.empty(); }
 
   std::vector<std::pair<std::string, std::string>> names = {};  ///< the reader's name of a column, the file's
-  double length = 1.0;                                          ///< the file's unit in m
-  double force = 1.0;                                           ///< in N
-  double moment = 1.0;                                          ///< in N m
-  double angle = 1.0;                                           ///< in rad
-  double time = 1.0;                                            ///< in s
+  std::map<std::string, double, std::less<>> scales = {};       ///< of --units: a quantity's unit in the file, in SI
   std::string options = {};                                     ///< as they were typed
   std::optional<double> least_load = {};  ///< in the file's unit: rows with a smaller load are left out
   bool zero = false;                      ///< subtract the sensor's zero, from the pauses below the least load

@@ -61,6 +61,15 @@ std::string help_of(const std::vector<std::pair<std::string_view, std::string_vi
   return text + '\n';
 }
 
+void Results::warn_idle(std::initializer_list<std::pair<std::string_view, bool>> idle, const std::string& what) const {
+  std::string names;
+  for (const auto& [option, is_idle] : idle) {
+    if (is_idle && std::find(given.begin(), given.end(), option) != given.end())
+      names.append(names.empty() ? "" : ", ").append(option);
+  }
+  if (!names.empty()) messages->say("limitcurve: warning: " + names + ": without effect on " + what);
+}
+
 Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(results) {
   if (results_.columns != nullptr) {
     results_.columns->clear();

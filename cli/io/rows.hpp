@@ -39,6 +39,10 @@ struct Results {
   Format format = Format::csv;
   std::vector<Column>* columns = nullptr;  ///< collects the rows instead of `output`, unless null
   Messages* messages = nullptr;            ///< never null in `Subcommand::run`
+  std::vector<std::string> given = {};     ///< the options of the command line, such as "--law"
+
+  /// Warns of the options that were given although they are idle, which means without effect on `what`.
+  void warn_idle(std::initializer_list<std::pair<std::string_view, bool>> idle, const std::string& what) const;
 };
 
 /// Writes rows of named columns one by one.

@@ -17,6 +17,19 @@
 
 namespace limitcurve::godobject {
 
+CurveKind PivotOptions::limit_curve() const noexcept {
+  if (curve) return *curve;
+  switch (kind) {
+    case PivotCase::coupled:
+      return CurveKind::ellipse;
+    case PivotCase::uncoupled:
+      return CurveKind::box;
+    case PivotCase::exact:
+      break;
+  }
+  return CurveKind::table;
+}
+
 namespace {
 
 double within(std::string_view name, double value, std::string_view unit, bool zero_allowed) {
@@ -54,19 +67,6 @@ void validate(const PivotOptions& options) {
       throw out_of_range("time of a grip sample", sample.time, "s", "finite and increasing");
     last = sample.time;
   }
-}
-
-CurveKind curve_kind(const PivotOptions& options) noexcept {
-  if (options.curve) return *options.curve;
-  switch (options.kind) {
-    case PivotCase::coupled:
-      return CurveKind::ellipse;
-    case PivotCase::uncoupled:
-      return CurveKind::box;
-    case PivotCase::exact:
-      break;
-  }
-  return CurveKind::table;
 }
 
 Projection projection_of(const PivotOptions& options) noexcept {
@@ -286,7 +286,7 @@ PivotCase parse_pivot_case(std::string_view text) {
 Pivot::Pivot(const PivotOptions& options) {
   validate(options);
   static_cast<void>(ContactLimits(friction_parameters(options), 1.0));
-  const FingerCurve curve = make_curve(options, curve_kind(options));
+  const FingerCurve curve = make_curve(options, options.limit_curve());
   const FingerParameters finger = finger_parameters(options, curve);
   static_cast<void>(ContactLimits(finger, 1.0));
   require_hold(options, finger);

@@ -83,6 +83,9 @@ struct PivotOptions {
   /// s.
   std::vector<GripSample> grip = {};
   std::optional<GripOperator> grip_operator = {};  ///< instead of `grip`
+
+  /// `curve`, or the case's.
+  [[nodiscard]] CurveKind limit_curve() const noexcept;
 };
 
 /// One row of the result; the first is at time 0.

@@ -183,7 +183,7 @@ class Choose(CommandLineTest):
                             del options[options.index("--radius-law"):]
                         if best != "no torsion":
                             self.assertEqual(best.split("/")[:2], [options[1], options[3]])
-                        self.assertEqual(len(rows("replay", "--trace", trace, *finger, *options)), 3)
+                        self.assertEqual(len(rows("replay", "--trace", trace, *finger, *options, "--quiet")), 3)
 
     def test_what_a_scene_leaves_out_is_said_and_typed(self):
         trace = self.file("trace.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n")
