@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "c/limitcurve_fit.h"
+
 #include "c/handles.hpp"
-
-#ifdef LIMITCURVE_HAS_FIT
-
 #include "fit/model_fit.hpp"
+#include "limitcurve/internal/names.hpp"
 
-#include <span>
 #include <vector>
 
 using namespace limitcurve;
@@ -52,14 +51,17 @@ limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, c
   });
 }
 
-limitcurve_status limitcurve_fit_radii(const double* loads, const double* radii, const double* sigmas, size_t count,
-                                       limitcurve_fit** fit) {
-  if (count > 0 && (is_missing("loads", loads) || is_missing("radii", radii))) return LIMITCURVE_INVALID;
+limitcurve_status limitcurve_fit_radii(const char* model, const double* loads, const double* radii,
+                                       const double* sigmas, size_t count, limitcurve_fit** fit) {
+  if (is_missing("model", model) || (count > 0 && (is_missing("loads", loads) || is_missing("radii", radii))))
+    return LIMITCURVE_INVALID;
   return make_handle(fit, [&] {
     fit::LoadSamples samples;
     for (std::size_t i = 0; i < count; ++i)
       samples.samples.push_back({loads[i], radii[i], sigmas == nullptr ? 0.0 : sigmas[i]});
-    return converged(fit::fit(fit::Kind::load, samples));
+    fit::FitOptions options;
+    options.load_model = parse_name<fit::LoadModel>(fit::load_model_names, "model", model);
+    return converged(fit::fit(fit::Kind::load, samples, options));
   });
 }
 
@@ -95,41 +97,3 @@ limitcurve_status limitcurve_fit_estimate(const limitcurve_fit* fit, size_t inde
   if (unit != nullptr) *unit = estimate->unit.c_str();
   return LIMITCURVE_OK;
 }
-
-#else
-
-using namespace limitcurve::c;
-
-namespace {
-
-limitcurve_status refuse_fits() noexcept {
-  return complain(LIMITCURVE_FAILED, "this library was built without fits: build it with Ceres (LIMITCURVE_FIT=ON)");
-}
-
-}  // namespace
-
-limitcurve_status limitcurve_fit_slips(const char*, const double*, const double*, const double*, const double*,
-                                       const double*, size_t, const limitcurve_law*, double, limitcurve_fit**) {
-  return refuse_fits();
-}
-limitcurve_status limitcurve_fit_radii(const double*, const double*, const double*, size_t, limitcurve_fit**) {
-  return refuse_fits();
-}
-void limitcurve_fit_free(limitcurve_fit*) {}
-const char* limitcurve_fit_model(const limitcurve_fit*) {
-  return nullptr;
-}
-const char* limitcurve_fit_note(const limitcurve_fit*) {
-  return nullptr;
-}
-const char* limitcurve_fit_warning(const limitcurve_fit*, size_t) {
-  return nullptr;
-}
-size_t limitcurve_fit_count(const limitcurve_fit*) {
-  return 0;
-}
-limitcurve_status limitcurve_fit_estimate(const limitcurve_fit*, size_t, const char**, double*, double*, const char**) {
-  return refuse_fits();
-}
-
-#endif

@@ -16,12 +16,15 @@
 /// Errors and handles, for every function of the C interface.
 namespace limitcurve::c {
 
+// What bears LIMITCURVE_API is for liblimitcurve-c-fit, whose errors and handles are those of liblimitcurve-c.
+
 /// Stores the message for limitcurve_error(), truncated to the thread's fixed buffer. No allocation.
-limitcurve_status complain(limitcurve_status status, const char* message) noexcept;
+LIMITCURVE_API limitcurve_status complain(limitcurve_status status, const char* message) noexcept;
 /// "NAME: WHAT", "NAME[INDEX]: got VALUE, expected EXPECTED", "NAME: got VALUE, expected EXPECTED". No allocation.
-limitcurve_status refuse(const char* name, const char* what) noexcept;
-limitcurve_status refuse(const char* name, std::size_t index, double value, const char* expected) noexcept;
-limitcurve_status refuse(std::string_view name, double value, std::string_view expected) noexcept;
+LIMITCURVE_API limitcurve_status refuse(const char* name, const char* what) noexcept;
+LIMITCURVE_API limitcurve_status refuse(const char* name, std::size_t index, double value,
+                                        const char* expected) noexcept;
+LIMITCURVE_API limitcurve_status refuse(std::string_view name, double value, std::string_view expected) noexcept;
 
 /// Whether one of the caller's numbers is not finite; refuses it.
 inline bool refuse_numbers(const char* name, const double* numbers, std::size_t count) noexcept {
@@ -80,9 +83,9 @@ inline bool is_alive(const void*) noexcept {
 }
 #else
 /// The set of live handles; only without NDEBUG, because it takes a lock.
-void remember(const void* handle) noexcept;
-void forget(const void* handle) noexcept;
-bool is_alive(const void* handle) noexcept;
+LIMITCURVE_API void remember(const void* handle) noexcept;
+LIMITCURVE_API void forget(const void* handle) noexcept;
+LIMITCURVE_API bool is_alive(const void* handle) noexcept;
 #endif
 
 /// Returns true, and stores a message for limitcurve_error(), if the caller's pointer for `name` is bad.

@@ -4,7 +4,7 @@
 
 /* limitcurve for C and for every language that calls C: friction limit curves of soft fingers, and a soft-finger
  * god-object. C99. Link with liblimitcurve-c. README.md beside this header has an example; examples/limitcurve.cs has
- * the declarations for C#.
+ * the declarations for C#. Fits are in limitcurve_fit.h.
  *
  * Units are SI: m, rad, N, N m, s. A unit wrench is a force in units of mu P and a moment in units of mu P a (friction
  * coefficient mu, load P, contact radius a), both magnitudes >= 0. A centre of rotation (COR) is given by its distance
@@ -15,10 +15,10 @@
  * argument, its value and the expected values. No exception crosses this interface. NULL instead of a handle, a text or
  * an array is LIMITCURVE_INVALID; arrays of length 0 may be NULL.
  *
- * Ownership. The caller owns the handles that functions create, and frees each once with the function of its kind (NULL
- * is ignored). The library reads the caller's texts and arrays only during the call. Texts that a function returns
- * belong to their handle. A handle stays valid if the handles that it was made from are freed. A library built without
- * NDEBUG rejects freed handles.
+ * Ownership. The caller owns the handles that functions create, and frees each once with the function of that kind
+ * (NULL is ignored). The library reads the caller's texts and arrays only during the call. Texts that a function
+ * returns belong to the handle. A handle stays valid if the handles that it was made from are freed. A library built
+ * without NDEBUG rejects freed handles.
  *
  * Threads. Laws, tables, batches, patches and fits are immutable: any number of threads may share them. Use a finger
  * from one thread at a time; distinct fingers need no lock. Errors are per thread.
@@ -468,37 +468,6 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_
  * may be NULL. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches,
                                                        size_t count, double* twists, double* errors);
-
-/* ---- Fits ---- */
-
-/* In a library built without Ceres they return LIMITCURVE_FAILED. */
-typedef struct limitcurve_fit limitcurve_fit;
-
-/* Fits a friction model to `count` measured slips: loads [N], forces [N], moments [N m], and their standard deviations
- * (both arrays, or both NULL). Models: "ellipse", "ratio", "law". `law` may be NULL: then "ratio" uses hertz, and "law"
- * finds the best. The contact radius is proportional to P^gamma, gamma in [-0.5, 1]. */
-LIMITCURVE_API limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, const double* forces,
-                                                      const double* moments, const double* sigma_forces,
-                                                      const double* sigma_moments, size_t count,
-                                                      const limitcurve_law* law, double gamma, limitcurve_fit** fit);
-
-/* Fits the growth of `count` contact radii [m] with the load [N]: c P^gamma with gamma free, as `limitcurve fit load`.
- * `sigmas` may be NULL. */
-LIMITCURVE_API limitcurve_status limitcurve_fit_radii(const double* loads, const double* radii, const double* sigmas,
-                                                      size_t count, limitcurve_fit** fit);
-
-LIMITCURVE_API void limitcurve_fit_free(limitcurve_fit* fit);
-
-/* The fitted or best model; the note with its assumptions; and the warnings, NULL after the last. NULL for NULL. */
-LIMITCURVE_API const char* limitcurve_fit_model(const limitcurve_fit* fit);
-LIMITCURVE_API const char* limitcurve_fit_note(const limitcurve_fit* fit);
-LIMITCURVE_API const char* limitcurve_fit_warning(const limitcurve_fit* fit, size_t index);
-
-/* The number of estimates, 0 for NULL, and each of them: name, value, standard error (0 if fixed) and unit. Outputs may
- * be NULL. */
-LIMITCURVE_API size_t limitcurve_fit_count(const limitcurve_fit* fit);
-LIMITCURVE_API limitcurve_status limitcurve_fit_estimate(const limitcurve_fit* fit, size_t index, const char** name,
-                                                         double* value, double* std_error, const char** unit);
 
 #ifdef __cplusplus
 }

@@ -15,12 +15,13 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("LIMITCURVE_BUILD", ROOT / "build/ci"))
-HEADER = (ROOT / "c/limitcurve.h" if BUILD.is_relative_to(ROOT) else BUILD / "../../c/limitcurve.h").read_text()
+SOURCE = ROOT if BUILD.is_relative_to(ROOT) else BUILD / "../.."
+HEADER = "".join((SOURCE / "c" / name).read_text() for name in ("limitcurve.h", "limitcurve_fit.h"))
 FOLDER = tempfile.TemporaryDirectory()
 FFI = cffi.FFI()
 _declared = re.sub(r"#include.*|(#define LIMITCURVE_API).*", r"\1", HEADER)
 FFI.cdef(subprocess.run(["cc", "-E", "-P", "-"], input=_declared, text=True, check=True, capture_output=True).stdout)
-C = FFI.dlopen(str(BUILD / "c/liblimitcurve-c.so"))
+C = FFI.dlopen(str(BUILD / "c/liblimitcurve-c-fit.so"))  # which loads liblimitcurve-c.so
 
 
 class Refused(Exception):

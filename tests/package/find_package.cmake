@@ -27,7 +27,7 @@ function(expect arguments complaint)
 endfunction()
 
 expect("REQUIRED COMPONENTS fit" "the component 'fit' was not built into this installation")
-expect("REQUIRED COMPONENTS limitcurve gadobject" "there is no component 'gadobject': expected limitcurve, engines, godobject, fit or c")
+expect("REQUIRED COMPONENTS limitcurve gadobject" "there is no component 'gadobject': expected limitcurve|engines|godobject|fit|c|c_fit")
 expect("REQUIRED COMPONENTS godobject" "the component 'godobject' needs Eigen3, which is not found" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
 expect("REQUIRED COMPONENTS limitcurve OPTIONAL_COMPONENTS fit" "")
 foreach(wanted ${MAJOR}.${MINOR} ${VERSION} ${MAJOR}.${MINOR}...<1.0 ${MAJOR}.${MINOR}...1 0...<9)
