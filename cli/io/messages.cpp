@@ -32,7 +32,7 @@ void Messages::start(const std::string& job) {
 void Messages::progress(double fraction) noexcept {
   if (!thread_.joinable()) return;
   const std::lock_guard lock(mutex_);
-  share_ = std::clamp(fraction, 0.0, 1.0);
+  if (fraction > 0.0) share_ = std::min(fraction, 1.0);  // at 0 nobody knows yet how long it takes
 }
 
 void Messages::stop() {
