@@ -5,7 +5,6 @@ gives."""
 import csv
 import importlib.util
 import math
-import re
 import subprocess
 import sys
 import unittest
@@ -317,7 +316,7 @@ class Corrections(CommandLineTest):
 
 
 class SixtyLines(CommandLineTest):
-    """The paper's equations in examples/python, without the library, and their page."""
+    """The paper's equations in examples/python, without the library."""
 
     def setUp(self):
         super().setUp()
@@ -352,15 +351,6 @@ class SixtyLines(CommandLineTest):
                 self.assertAlmostEqual(value, mu * printed, delta=1e-4 * unit)
                 self.assertAlmostEqual(abs(value), magnitude, delta=1e-4 * unit)
         self.assert_close(self.paper.MU_R, -self.paper.wrench(0.0)[1], 1e-4)  # eqs. (4), (5)
-
-    def test_the_page_shows_the_file(self):
-        source, at = SIXTY_LINES.read_text(encoding="utf-8"), 0
-        blocks = re.findall(r"```python\n(.*?)```",
-                            (ROOT / "docs" / "paper_in_60_lines.md").read_text(encoding="utf-8"), re.DOTALL)
-        for block in blocks:
-            at = source.index(block, at) + len(block)
-        self.assertLessEqual(source.count("\n", source.index(blocks[0]), at), 60)
-        self.assertTrue(source[at:].startswith("\n\ndef read("), "the page shows all of it but the comparison")
 
 
 if __name__ == "__main__":
