@@ -4,6 +4,7 @@
 #include "godobject/finger/finger_parameter_table.hpp"
 #include "godobject/friction.hpp"
 #include "godobject/scene/passivity.hpp"
+#include "godobject/surfaces/join.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,11 +6,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 namespace limitcurve::godobject {
 
@@ -122,63 +120,6 @@ struct Contact {
 [[nodiscard]] inline Contact to_body(const BodyPose& body, const Contact& contact) noexcept {
   return {body.to_body(contact.point), body.into_body() * contact.normal, contact.depth, contact.memory,
           contact.landed};
-}
-
-/// Makes one contact of the walls that a finger is in: contacts of one finger position x = point − normal·depth, in one
-/// frame, for example with two faces of a groove. If you pass the deepest wall alone, noise of the device exchanges the
-/// walls, and the friction along the groove fades.
-///
-/// The surface point becomes the point nearest to x outside of all walls, the normal points from x to it, and the depth
-/// is their distance, at most √3 times the deepest. At most three walls act. If two of them meet at less than 90° (0.6°
-/// less counts as 90°), or if no point is outside of all, the result is the deepest contact; so it is, bit for bit, if
-/// leaving that wall leaves all. So one of two coplanar walls counts. `landed` is set if any contact has it; `memory`
-/// is that of the deepest. An empty range gives a depth of 0. A contact that no finger accepts is returned, so that the
-/// finger names the fault.
-///
-/// If the tip is round, pass contacts of its centre: move each point outward by the radius, and keep normal and depth.
-/// Otherwise x differs from wall to wall, and the springs pull the tip into the corner. Costs some 10 ns per contact,
-/// if there are few.
-template <std::ranges::forward_range Contacts>
-[[nodiscard]] Contact join(const Contacts& contacts) noexcept {
-  if (contacts.begin() == contacts.end()) return {};
-  Contact deepest = *contacts.begin();
-  bool landed = false;
-  for (const Contact& wall : contacts) {
-    const bool is_unit = std::fabs(wall.normal.squaredNorm() - 1.0) <= 0.02;
-    if (!is_unit || !is_plausible<double>(wall.point.squaredNorm() + wall.depth * wall.depth)) return wall;
-    landed = landed || wall.landed;
-    if (wall.depth > deepest.depth) deepest = wall;
-  }
-  deepest.landed = landed;
-  const double most = deepest.depth;
-  Eigen::Vector3d way;  // from x
-  const auto leave = [&](const Contact& wall) { way = wall.normal * (wall.depth / wall.normal.squaredNorm()); };
-  const auto missing = [&](const Contact& at) { return at.depth > 0.0 ? at.depth - at.normal.dot(way) : -most; };
-  const auto is_inside = [&](const Contact& wall) { return missing(wall) > 1e-9 * most; };
-  leave(deepest);
-  if (!(most > 0.0) || std::none_of(contacts.begin(), contacts.end(), is_inside)) return deepest;
-  // One wall after the other: if x + way is inside of it, the nearest point is on it. Among the walls before it search
-  // there in the same way, first in the plane, then on the edge of two.
-  way.setZero();
-  for (auto i = contacts.begin(); i != contacts.end(); ++i) {
-    if (!is_inside(*i)) continue;
-    leave(*i);
-    for (auto j = contacts.begin(); j != i; ++j) {
-      if (!is_inside(*j)) continue;
-      leave(*i);
-      const Eigen::Vector3d edge = (*i).normal.cross((*j).normal);
-      const Eigen::Vector3d across = edge.cross((*i).normal);
-      way += across * (missing(*j) / across.dot((*j).normal));
-      for (auto k = contacts.begin(); k != j; ++k)
-        if (is_inside(*k)) way += edge * (missing(*k) / edge.dot((*k).normal));
-    }
-  }
-  for (const Contact& a : contacts)
-    for (const Contact& b : contacts)
-      if (!(missing(a) <= 1e-6 * most &&
-            (missing(b) < -1e-6 * most || missing(a) < -1e-6 * most || a.normal.dot(b.normal) >= -0.01)))
-        return deepest;
-  return {deepest.point - deepest.normal * most + way, way.normalized(), way.norm(), deepest.memory, landed};
 }
 
 /// The spin of a device about the surface normal along its path: ∫ω·n dt, n the current normal. For a moment M about

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A soft finger on triangle meshes and other bodies that move, found by Bullet's collisions.
 #include "godobject/godobject.hpp"
+#include "godobject/surfaces/join.hpp"
 
 #include <btBulletCollisionCommon.h>
 

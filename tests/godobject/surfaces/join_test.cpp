@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Walls touched at once: the contact that `join` makes of them, and what a finger then feels in grooves, at seams
 // (180°) and with a round tip, with numbers as devices and engines give them.
+#include "godobject/surfaces/join.hpp"
 #include "tests/godobject/random_scene.hpp"
 
 #include <gtest/gtest.h>
