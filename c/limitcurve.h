@@ -10,10 +10,10 @@
  * coefficient mu, load P, contact radius a), both magnitudes >= 0. A centre of rotation (COR) is given by its distance
  * from the contact's centre.
  *
- * Errors. A function that can fail returns a limitcurve_status, with the values of the command line's exit codes. If it
- * is not LIMITCURVE_OK, nothing was written through the caller's pointers, and limitcurve_error() has a line with the
- * argument, its value and the expected values. No exception crosses this interface. NULL instead of a handle, a text or
- * an array is LIMITCURVE_INVALID; arrays of length 0 may be NULL.
+ * Errors. A function that can fail returns a limitcurve_status, with the values of the command line's exit codes. If
+ * the status is not LIMITCURVE_OK, the function wrote nothing through your pointers, and limitcurve_error() returns a
+ * line that names the argument, its value and the values expected. No exception crosses this interface. NULL instead of
+ * a handle, a text or an array is LIMITCURVE_INVALID; arrays of length 0 may be NULL.
  *
  * Ownership. The caller owns the handles that functions create, and frees each once with the function of that kind
  * (NULL is ignored). The library reads the caller's texts and arrays only during the call. Texts that a function
@@ -139,15 +139,15 @@ typedef int limitcurve_projection; /* one of these; an int, so that any other nu
 
 /* Friction limits at the current load. */
 typedef struct limitcurve_limits {
-  double force;                /* at rest: mu P [N] >= 0 ... */
-  double radius;               /* ... and a [m] >= 0: the unit curve grows by force, and by force * radius */
-  double sliding_force;        /* while it slips: neither the force ... */
-  double sliding_radius;       /* ... nor force * radius is larger than at rest; the radius may be */
-  double stiffness_ratio;      /* k_l/k_r of the springs [1/m^2] > 0 */
-  double force_stick_fraction; /* in [0, 1]: a sliding contact comes to rest if its trial is within this fraction of its
-                                  limit, ... */
-  double moment_stick_fraction; /* ... or this one, if it is smaller; on a box force and moment each have their own. 1:
-                                   at once */
+  double force;                 /* at rest: mu P [N] >= 0 ... */
+  double radius;                /* ... and a [m] >= 0: the unit curve grows by force, and by force * radius */
+  double sliding_force;         /* while it slips: neither the force ... */
+  double sliding_radius;        /* ... nor force * radius is larger than at rest; the radius may be */
+  double stiffness_ratio;       /* k_l/k_r of the springs [1/m^2] > 0 */
+  double force_stick_fraction;  /* in [0, 1]: a sliding contact comes to rest once its trial is within this fraction of
+                                   the limit, or within moment_stick_fraction if that is smaller. 1: as soon as the
+                                   trial is within the limit */
+  double moment_stick_fraction; /* the same for the moment; on a box, force and moment are compared separately */
 } limitcurve_limits;
 
 /* State of a contact's friction between steps; all 0 at first. */
@@ -165,8 +165,9 @@ typedef struct limitcurve_friction {
   int slips;              /* in this step */
 } limitcurve_friction;
 
-/* For simulators with springs of their own: the fraction of a trial force [N] and moment [N m], both finite, within the
- * friction limit. LIMITCURVE_C_CURVE is radial here, because there is no radius law. [real time] */
+/* Friction for simulators that have their own springs: given a trial force [N] and moment [N m], both finite, returns
+ * the fractions of each that lie within the friction limit. LIMITCURVE_C_CURVE acts like LIMITCURVE_RADIAL here,
+ * because there is no radius law. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_table* table,
                                                            limitcurve_projection projection,
                                                            const limitcurve_limits* limits, double force, double moment,
@@ -279,9 +280,10 @@ LIMITCURVE_API void limitcurve_finger_free(limitcurve_finger* finger);
 LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact,
                                                           double time_step, limitcurve_finger_output* output);
 
-/* One step where a physics engine gives the load [N] and not a depth: `depth` is not read, the output has the load, and
- * NaN for the depth. The point is where the finger is on the surface; with a load <= 0 the finger is free, and one that
- * is not finite is bad input. Friction reaches its limit on a surface of any radius. The rest as above. [real time] */
+/* One step inside a physics engine, which knows the load [N] but no depth. `contact->depth` is ignored; the output
+ * repeats the load, and its depth is NaN. `contact->point` is the position of the finger on the surface. If the load is
+ * <= 0 the finger is free; a load that is not finite is bad input. Friction reaches its limit on a surface of any
+ * radius. Otherwise as limitcurve_finger_update. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger,
                                                                      const limitcurve_contact* contact, double load,
                                                                      double time_step,
@@ -308,9 +310,9 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_preview_pose(const limitcurve
                                                                 const double orientation[4], double time_step,
                                                                 limitcurve_finger_output* output);
 
-/* Other parameters in the loop, as where the finger touches another material; with a bad one nothing changes. Proxy,
- * angle and the last output stay; the next step has the new springs at the same deflection. radius_law NULL: the finger
- * keeps its own; then [real time]. */
+/* Changes the parameters in the loop, for example when the finger touches another material. If one is out of range,
+ * nothing changes. Proxy, angle and the last output stay; the next step uses the new springs at the same deflection. If
+ * radius_law is NULL, the finger keeps its radius law, and the call is [real time]. */
 LIMITCURVE_API limitcurve_status limitcurve_finger_change(limitcurve_finger* finger,
                                                           const limitcurve_finger_parameters* parameters);
 
@@ -336,8 +338,9 @@ LIMITCURVE_API limitcurve_status limitcurve_device_damping_needed(const limitcur
                                                                   double sample_time, int delay, double* sliding,
                                                                   double* twist);
 
-/* LIMITCURVE_INVALID, and what to change in limitcurve_error(), unless a device with this damping has more than it
- * needs; infinity leaves one unchecked. */
+/* Checks that a device with this damping has more than limitcurve_device_damping_needed. If not, returns
+ * LIMITCURVE_INVALID, and limitcurve_error() says what to change. Pass infinity for a damping that you do not want to
+ * check. */
 LIMITCURVE_API limitcurve_status limitcurve_require_passive(const limitcurve_finger_parameters* parameters,
                                                             double sample_time, int delay, double sliding,
                                                             double twist);
@@ -359,8 +362,8 @@ typedef struct limitcurve_contacts {
   double* proxy_x;     /* in and out */
   double* proxy_y;
   double* proxy_angle;
-  uint8_t*
-      state; /* in and out: a limitcurve_state. A sample, or a proxy, that is NaN is a fault: no other array changes */
+  uint8_t* state;         /* in and out: a limitcurve_state. If a sample or a proxy is NaN, the state is
+                             LIMITCURVE_STATE_INVALID, and no other array of this contact changes */
   uint8_t* force_slides;  /* memory */
   uint8_t* moment_slides; /* memory, of the moment on a box */
   double* search_start;   /* memory */

@@ -40,10 +40,10 @@ std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push
 ///             divided by the mean,
 /// and mu_ellipsoid, drift_ellipsoid: the same with the ellipsoid √(v² + m₀²ω²) instead of H, with v = (mx v_x, my v_y)
 /// if friction is orthotropic. `load` P [N]; if it is unknown pass 1, and mu is μP [N]. drift is nan if all shares are
-/// equal, or if it would exceed 1. Errors of a direction make mu too small, for no motion takes less power than its
-/// own: 20 % take off 1 %. A push of negative power is left out, with a warning. Throws std::invalid_argument if most
-/// are (the wrenches are then the reactions), for fewer than 3 pushes, or for a push that does not move (the message
-/// has its number, from 1).
+/// equal, or if drift would exceed 1. Errors of a direction make mu too small, by 1 % for errors of 20 %, because no
+/// motion takes less power than the true motion. A push of negative power is left out, with a warning. Throws
+/// std::invalid_argument if most pushes have negative power (the wrenches are then the reactions), if there are fewer
+/// than 3 pushes, or if a push does not move (the message has its number, from 1).
 FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, double load, const std::string& unit);
 
 }  // namespace limitcurve::fit

@@ -35,8 +35,9 @@ struct LoadSamples {
   std::vector<Row> samples;
 };
 
-/// Loss function: the influence of a large residual. `scale` is the residual, in standard deviations, above which a
-/// sample is doubtful: ρ(r²) is r² below about scale². The defaults lose 5 % of efficiency on clean Gaussian data.
+/// The loss function decides how much a large residual counts. `scale` is the residual, in standard deviations, above
+/// which a sample is doubtful, because ρ(r²) is r² below about scale². The defaults lose 5 % of efficiency on clean
+/// Gaussian data.
 struct Loss {
   enum class Kind {
     squared,  ///< r²: best for Gaussian errors, spoiled by one gross outlier

@@ -23,9 +23,9 @@ namespace plain {
 }
 }  // namespace plain
 
-/// What is farther from the origin [m] is a fault of the device. A finger's sample is plausible if the sum of squares
-/// of its coordinates and depth [m] and its twist [rad] is at most farthest²; NaN is not. At this distance positions
-/// are rounded to 1e-10 m, and loads with them: put the origin near the contact.
+/// Positions farther than this from the origin [m] are treated as device faults. Precisely: a sample is accepted if the
+/// sum of the squares of its coordinates [m], its depth [m] and its twist [rad] is at most farthest²; NaN is rejected.
+/// Put the origin near the contact, because at this distance positions, and with them loads, are rounded to 1e-10 m.
 inline constexpr double farthest = 1e6;
 
 /// Whether a sample is plausible (`farthest`), by the sum of squares of its coordinates, depth and twist.
@@ -60,10 +60,10 @@ struct DevicePose {
   double twist = 0.0;  ///< added twist about the contact normal [rad], for a device that measures an angle only
 };
 
-/// The pose of a body: of its frame in the world. A finger's frame is that of the body it touches, which may move:
-/// `state` and `output` stay in it. If you find contacts in the world, call `finger.update(to_body(body, contact),
-/// to_body(body, orientation), dt)` and take `to_world(body, output)`; a finger that is given the world's coordinates
-/// feels no friction from a body that moves beneath it.
+/// The pose of a body's frame in the world. A finger works in the frame of the body that it touches, even if that body
+/// moves; `state` and `output` are in this frame. If your contacts are in the world's frame, call
+/// `finger.update(to_body(body, contact), to_body(body, orientation), dt)` and use `to_world(body, output)`. If you
+/// pass world coordinates instead, a body that moves beneath the finger causes no friction.
 struct BodyPose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the body's origin [m]; of a free body the centre of mass
   Orientation orientation = Orientation::Identity();   ///< body to world, within 1e-2 of unit length
@@ -103,10 +103,10 @@ struct Contact {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward normal there, within 1e-2 of unit length
   double depth = 0.0;                                 ///< d [m], depth of the finger beneath the surface; ≤ 0 outside
   ContactMemory memory = {};                          ///< to be passed to the next contact query
-  /// Whether the finger has left the surface since the last sample and landed on it anew, as from one wall to another:
-  /// then it touches down, and the springs are relaxed as in a first contact. Your own surface may leave it false; then
-  /// only the first contact touches down. On another body, whose frame is another, call `SoftFinger::reset` before the
-  /// step.
+  /// Set this if, since the last sample, the finger left the surface and landed on it again, for example on another
+  /// wall. The springs then start relaxed, as in a first contact. Your own surface may always leave it false; then only
+  /// the first contact starts relaxed. If the finger landed on another body, which has a different frame, call
+  /// `SoftFinger::reset` before the step instead.
   bool landed = false;
 };
 
@@ -126,11 +126,12 @@ struct Contact {
 /// the normal the power is M·dα/dt. Moving without turning gives no spin, on any surface; the device's initial
 /// orientation does not matter. A `SoftFinger` has its own Spin; a batch takes the angle. Plain data.
 ///
-/// An orientation that cones, and comes back to where it was, gives a spin of its solid angle, 2π(1 − cos θ) per circle
-/// at θ rad. That is right for a finger that rolls on to new skin. A pad that keeps its skin is wound up, too, until it
-/// slips: in 50 circles at 0.1 rad a weight that hangs on it, half of what friction carries, sinks by 4 mm, and at 0.2
-/// rad by 17 mm (Hertz, P = 1 N, μ = 0.6, a = 6 mm, k_l = 1000 N/m, k_r = 0.036 N m/rad). If your pad only rocks, give
-/// its twist by `DevicePose::twist`, or in `update(contact, twist)`, and keep the orientation still.
+/// If an orientation moves around a cone and returns to where it was, the spin has grown by the solid angle,
+/// 2π(1 − cos θ) per circle at θ rad. That is correct for a finger that rolls onto new skin. A pad that keeps its skin
+/// is wound up as well, until it slips. For example, a hanging weight of half of what friction carries sinks by 4 mm in
+/// 50 circles at 0.1 rad, and by 17 mm at 0.2 rad (Hertz, P = 1 N, μ = 0.6, a = 6 mm, k_l = 1000 N/m, k_r = 0.036 N
+/// m/rad). If your pad only rocks, give its twist by `DevicePose::twist`, or in `update(contact, twist)`, and keep the
+/// orientation still.
 struct Spin {
   double angle = 0.0;   ///< [rad] since the first sample, unwrapped
   Numbers normal{};     ///< of the last sample

@@ -24,26 +24,27 @@ struct FingerParameters {
   RadiusLaw radius_law = RadiusLaw::constant(0.005);  ///< contact radius a(P)
   std::optional<double> mu_r = {};  ///< μ_r [m/N^γ] ≥ 0: Γ = μ_r P^(1+γ), replaces the radius law (eq. 2)
   double gamma = 0.0;               ///< γ ∈ [−0.5, 1] of the moment coefficients
-  /// μ_r during slip [m/N^γ]; absent: μ_r μ_d/μ. If μ_d = 0, closest_point keeps this moment; radial and c_curve lose
-  /// it, because the ray to a trial with a force meets the limit at 0.
+  /// μ_r during slip [m/N^γ]; if absent, μ_r μ_d/μ. If μ_d = 0, only closest_point can keep this moment. radial and
+  /// c_curve lose it as soon as the trial has a force, because the ray to that trial meets the limit at 0.
   std::optional<double> mu_r_dynamic = {};
   double stiffness = 1000.0;       ///< k_l [N/m] > 0, normal and tangential
   double twist_stiffness = 0.025;  ///< k_r [N m/rad] > 0; an elastic pad has k_l a² (docs/drive.md)
   double damping = 0.0;            ///< b_l [N s/m] ≥ 0, normal and tangential; acts if `update` has a time step
   double twist_damping = 0.0;      ///< b_r [N m s/rad] ≥ 0
-  /// Hysteresis between static and dynamic friction [1] ≥ 0, against chatter: noise, a repeated sample or device
-  /// resolution must not put a sliding finger back into static friction. It comes to rest once its trial is within the
-  /// sliding limit divided by 1 + rest_margin·(μ/μ_d − 1). By default the trial must fall by about 0.4 of the gap
-  /// between the limits; stick–slip of a mass on springs no stiffer than the contact makes it fall by at least 0.5. 0:
-  /// at rest as soon as the trial is within the sliding limit.
+  /// Hysteresis between static and dynamic friction [1] ≥ 0, which prevents chatter: noise, a repeated sample or the
+  /// device's resolution must not put a sliding finger back into static friction. A sliding finger comes to rest once
+  /// its trial wrench is within the sliding limit divided by 1 + rest_margin·(μ/μ_d − 1). With the default, the trial
+  /// must fall by about 0.4 of the gap between the two limits. That is low enough for real stick–slip: a mass on
+  /// springs no stiffer than the contact makes the trial fall by at least 0.5 of the gap. With 0, the finger rests as
+  /// soon as the trial is within the sliding limit.
   double rest_margin = 0.4;
   /// Largest speed of the finger [m/s] > 0. A sample is taken for a device fault, and `invalid`, if it lies farther
   /// from the last good one than this times the time since then: the sum of the time steps between, at least 1 ms. If
-  /// the next sample stays near the refused one, it is accepted. The default is above what hands and robots that touch
-  /// people do (docs/drive.md); ∞ accepts every sample.
+  /// the next sample stays near the refused one, it is accepted. The default is above what hands (2 m/s, ISO 13855)
+  /// and Franka's arms (3 m/s) reach; ∞ accepts every sample.
   double max_speed = 5.0;
   /// How fast the output fades during faults ∈ [0, 1]: each invalid sample after the first multiplies load, force and
-  /// moment by it. The default leaves a tenth after 45 samples; 1 holds them forever.
+  /// moment by this factor. The default leaves a tenth after 45 samples; 1 holds them forever.
   double fault_decay = 0.95;
 };
 
@@ -107,10 +108,10 @@ struct FingerOutput {
   double angle = 0.0;  ///< α_p [rad], measured like the device's twist; while free, the twist
   double depth = 0.0;  ///< d [m]; NaN in a step under a given load
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward, at the contact
-  /// Normal force on the user [N], 0 while free. It is the load that bounds friction (`FingerState::limit_load`: k_l d
-  /// plus the damper's part) plus, on a curved surface, its push: k_l times the rise from x_g to the proxy, < 0 if
-  /// convex. With the push, the force is the gradient of the springs' energy, so closed loops gain none; without it
-  /// they may. `load_to_hold` counts it too.
+  /// Normal force on the user [N], 0 while free. On a plane it is the load that bounds friction, k_l d plus the
+  /// damper's part (`FingerState::limit_load`). A curved surface adds a push: k_l times its rise from x_g to the proxy,
+  /// negative on a convex surface. With the push, the force is the gradient of the springs' energy, so that a closed
+  /// loop gains no energy; without it, it could. `load_to_hold` includes the push as well.
   double load = 0.0;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential
   double moment = 0.0;                                    ///< friction on the user about the normal [N m]

@@ -36,8 +36,8 @@ class BasicFingerCurve {
   BasicFingerCurve(const Ellipse& ellipse);         // NOLINT
   BasicFingerCurve(const Polygon<3>& box);          // NOLINT
   BasicFingerCurve(const BasicTable<Real>& table);  // NOLINT
-  /// A curve that other code made, for example from cells in its own memory. The view must stay valid as long as
-  /// `owner` lives; copies of the curve share `owner`. Null if the memory outlives all copies.
+  /// A curve that other code made, for example from cells in memory of that code. The view must stay valid as long as
+  /// `owner` lives; copies of the curve share `owner`. `owner` may be null if the memory outlives all copies.
   BasicFingerCurve(const CurveView<Real>& view, std::shared_ptr<const void> owner)
       : view_(view), owner_(std::move(owner)) {}
   // Moves are cheap copies; a moved-from curve stays valid.

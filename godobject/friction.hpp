@@ -143,9 +143,9 @@ template <class Real, class Number>
   return project_radially(curve, trial, last);
 }
 
-/// Hysteresis: whether the sliding limit acts in the next step. After a slip it does, until a trial without slip is
-/// within `stick_fraction` of it; then the contact is at rest. `fraction` gives the trial divided by the sliding limit;
-/// it is called only if it decides.
+/// Whether the sliding limit acts in the next step (hysteresis). After a slip the sliding limit acts until a trial
+/// without slip is within `stick_fraction` of that limit; then the contact is at rest. `fraction` must return the trial
+/// divided by the sliding limit, and is called only if the answer depends on it.
 template <class Mask, class Number, class Fraction>
 [[nodiscard]] Mask keeps_sliding(Mask was_sliding, Mask slips, Number stick_fraction, Fraction&& fraction) noexcept {
   using namespace arithmetic;
@@ -225,14 +225,14 @@ template <class Real, class Number>
 /// Applies friction (step b of the paper, eqs. 8–12, 19–23): the fraction of the trial deflection that the limit curve
 /// allows. Updates `memory`.
 ///
-/// Call it in every step of a contact, even without displacement: otherwise nothing limits the moment of a twist alone.
-/// You keep `memory` (new in each contact) and the deflection and angle, shortened by the fractions.
+/// Call it in every step of a contact, even without displacement, because otherwise nothing limits the moment of a
+/// twist alone. You must keep `memory` (new in each contact), and the deflection and angle, shortened by the fractions.
 ///
-/// Stick and slip: a contact at rest holds while its trial is within the sticking limit. After slip begins, the sliding
-/// limit acts, until a trial is within the stick fraction of the sliding limit; in that step the contact comes to rest.
-/// Slip work force·(r − r′) + moment·(ρ − ρ′) is never negative. No allocation, no exception, no NaN from finite input;
-/// a NaN keeps no friction. Cost: at most max_search_steps evaluations of the curve for each search. `Number` is
-/// `double`, or a pack of double or float (`Real`) for as many contacts.
+/// A contact at rest holds while the trial is within the sticking limit. After slip begins, the sliding limit acts,
+/// until a trial is within the stick fraction of the sliding limit. In that step the contact comes to rest. The slip
+/// work force·(r − r′) + moment·(ρ − ρ′) is never negative. The function does not allocate or throw, and finite input
+/// gives no NaN. If the input is NaN, no friction remains. Cost: at most max_search_steps evaluations of the curve for
+/// each search. `Number` is `double`, or a pack of double or float (`Real`) for as many contacts.
 template <class Real, class Number>
 [[nodiscard]] FrictionResult<Number> apply_friction(const CurveView<Real>& curve, Projection projection,
                                                     const FrictionLimits<Number>& limits,

@@ -38,8 +38,8 @@
 /// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, or your own: surface.hpp), or a Contact that
 /// other code has found, in the frame of the touched body (BodyPose).
 ///
-/// A SoftFinger takes a Patch, too: a contact that is not round. Batch and FloatBatch step thousands of contacts in one
-/// call (batch/batch.hpp). apply_friction is the friction step alone, for simulators with their own springs
+/// A SoftFinger can also take a Patch, a contact that is not round. Batch and FloatBatch step thousands of contacts in
+/// a single call (batch/batch.hpp). apply_friction is the friction step alone, for simulators with their own springs
 /// (friction.hpp). body/grasp.hpp holds a rigid body with several fingers. scene/replay.hpp runs recorded motions,
 /// scene/pivot.hpp the paper's experiment; scene/choose_step.hpp finds the cheapest model that a scene needs.
 namespace limitcurve::godobject {}

@@ -28,25 +28,27 @@ struct StepInput;
 /// lock.
 class SoftFinger {
  public:
-  /// Throws std::invalid_argument with parameter, value, unit and range. A box works only with the closest point.
+  /// Throws std::invalid_argument, naming the parameter, its value, unit and range. A box requires
+  /// Projection::closest_point.
   SoftFinger(FingerCurve curve, const FingerParameters& parameters, Projection projection = Projection::closest_point);
   /// A finger with a contact that is not round. The patch's limit surface replaces the limit curve, the projection is
   /// the closest point in F_x, F_y and M, and the radius law is ignored. For a disc, steps match those of its limit
   /// curve to 1e-9.
   ///
-  /// Orientation: the patch turns with the finger. Its x axis is the tangent part of the device's x axis, q·x̂, turned
-  /// about the normal by the proxy's twist relative to the finger, α_p − α_g, and by `DevicePose::twist`. If the
-  /// device's x axis is normal to the surface (tangent part below 1e-6), the previous axis is projected onto the
-  /// tangent plane. So it is for `update(contact, twist)`, which has no orientation: there a contact starts with the
-  /// world's x axis, turned by the shortest rotation from z to the normal, and a closed path of the normal turns the
-  /// patch by its solid angle: 0.8 rad in 100 circles at 0.05 rad. The contact point is the centre of pressure: springs
-  /// act there, and moments refer to it.
+  /// Orientation: the patch turns with the finger. Its x axis is the tangential part of the device's x axis, q·x̂,
+  /// turned about the normal by `DevicePose::twist` and by the twist of the proxy relative to the finger, α_p − α_g. If
+  /// the device's x axis is normal to the surface (tangential part below 1e-6), the previous axis is projected onto the
+  /// tangent plane instead. `update(contact, twist)` has no orientation, so it always projects the previous axis. A
+  /// contact then starts with the world's x axis, turned by the shortest rotation from z to the normal. A closed path
+  /// of the normal turns the patch by the solid angle of the path, for example by 0.8 rad in 100 circles at 0.05 rad.
+  /// The contact point is the centre of pressure: springs act there, and moments refer to it.
   ///
-  /// Smoothing: a point under the centre of rotation can carry any force up to its limit, which leaves the search
-  /// without a derivative. So points get a radius ε: |u| becomes √(|u|² + ε²ω²), which changes the limit by less than
-  /// ε/m₀ of it. `point_radius` is ε [m], at least 1e-3 m₀; 0 selects that minimum. A step within the hull of pure
-  /// slides and pure spins never evaluates the patch; a slip takes 5 to 20 evaluations (cost: see Patch). Throws as
-  /// above, and for a moment coefficient, because the patch sets the moments. Defined in godobject/patch/.
+  /// Smoothing: a point under the centre of rotation can carry any force up to its limit, so the search would have no
+  /// derivative there. Each point therefore gets a radius ε: its speed |u| becomes √(|u|² + ε²ω²), which changes the
+  /// limit by less than the fraction ε/m₀. `point_radius` is ε [m], at least 1e-3 m₀; 0 selects this minimum. Cost: a
+  /// step that stays within the hull of pure slides and pure spins never evaluates the patch; a slip evaluates it 5 to
+  /// 20 times (see Patch). Throws as above, and also if `mu_r` or `mu_r_dynamic` is set, because the patch determines
+  /// the moments. Defined in godobject/patch/.
   SoftFinger(const Patch& patch, const FingerParameters& parameters, double point_radius = 0.0);
 
   // Moves are cheap copies; a moved-from finger stays valid.
@@ -54,17 +56,18 @@ class SoftFinger {
   SoftFinger& operator=(const SoftFinger&) = default;
 
   /// One step with the device's pose in the frame of the surface. The twist about the contact normal is the spin of the
-  /// device's orientation (`Spin`) plus `DevicePose::twist`. Returns `output()`, which the next step overwrites: copy
-  /// what you keep. In an expression with two updates of one finger, both results are the later one.
+  /// device's orientation (`Spin`) plus `DevicePose::twist`. Returns a reference to `output()`, which the next step
+  /// overwrites: copy what you want to keep. If one expression updates the same finger twice, both references show the
+  /// later result.
   ///
-  /// Dampers act if the time step [s] since the last update is > 0. Friction then bounds springs and dampers together,
-  /// and so the force on the user. The first good sample, and the first after invalid ones, are undamped, because the
-  /// velocity is unknown.
+  /// Dampers act only if you pass a time step > 0, the time since the last update [s]. Friction then limits the sum of
+  /// springs and dampers, and so the force on the user. The first good sample, and the first one after invalid samples,
+  /// are not damped, because the velocity is unknown.
   ///
   /// Bad input never reaches the user: the state becomes `invalid`, `FingerOutput::fault` names the reason, and the
   /// last good output is held and fades over further invalid samples (`fault_decay`); proxy and contact memory stay.
-  /// Bad is input that is not finite or beyond `farthest`, an orientation or normal off unit length by more than 1e-2,
-  /// a jump beyond `max_speed`, a time step < 0 or not finite.
+  /// Input is bad if it is not finite or lies beyond `farthest`, if the length of an orientation or normal is off 1 by
+  /// more than 1e-2, if the finger jumps faster than `max_speed`, or if the time step is < 0 or not finite.
   const FingerOutput& update(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) & noexcept;
   /// One step with a contact found by your own collision detection, and the device's twist α_s [rad] about the normal.
   /// The twist may wrap at any multiple of 2π: a jump of more than π between steps is read as a turn the other way.
@@ -78,13 +81,14 @@ class SoftFinger {
   /// orientation. If P ≤ 0 the finger is free; a load that is not finite is a fault. The output repeats the load; its
   /// depth is NaN. `landed` as in `Contact`; the rest as in `update`.
   ///
-  /// The proxy is a point in space, as in `update`, and its spring acts as far as it lies in the tangent plane. So the
-  /// force of a stick is a function of point and normal: no loop of both turns it. This holds while the normal stays
-  /// within 0.25 rad of one direction, as on a ball of radius 4 μP/k_l or more; there friction is that of the plane
-  /// within 0.07 μP. If the normal tilts farther, as on a smaller ball, the proxy is carried along: friction still
-  /// reaches its limit, but after a change of direction it is off that of the plane by up to 0.3 μP if a step turns the
-  /// normal by at most 0.02 rad, and by more in longer steps; and a stick creeps. A circle of the normal at 0.3 rad
-  /// (0.5 rad) turns its deflection by 0.09 rad (0.6 rad).
+  /// As in `update`, the proxy is a point in space; only the part of its spring in the tangent plane acts. While the
+  /// finger sticks, the force therefore depends on point and normal alone, so a closed path of both brings the force
+  /// back. This is true while the normal stays within 0.25 rad of one direction, for example on a ball of radius
+  /// 4 μP/k_l or more; friction then agrees with that on a plane to 0.07 μP. If the normal tilts farther, as on a
+  /// smaller ball, the proxy is carried along. Friction still reaches its limit, but after a change of direction it
+  /// differs from that on a plane by up to 0.3 μP if a step turns the normal by at most 0.02 rad, and by more in longer
+  /// steps. A sticking finger then creeps: a circle of the normal at 0.3 rad (0.5 rad) turns its deflection by 0.09 rad
+  /// (0.6 rad).
   ///
   /// On a ball of radius 4 μP/k_l or more, if the normals are the ball's, no path gains more energy than a sampled
   /// spring does (scene/passivity.hpp). On smaller balls a search found paths that gain a quarter more than that. If
@@ -104,14 +108,15 @@ class SoftFinger {
   [[nodiscard]] FingerOutput preview(const Contact& contact, const Orientation& orientation,
                                      double time_step = 0.0) const noexcept;
 
-  /// Sets other parameters in the loop, for example where the finger touches another material. Returns false, and
-  /// changes nothing, if one is bad (`refusal`). `output`, proxy, angle and memories keep their bits; `margin`,
-  /// `load_to_hold` and `spring_energy` use the new parameters at once, with the last step's wrench and deflection. The
-  /// next step has the new springs at the same deflection, so that load and force scale with k; the energy ½Δk|x|²
-  /// comes from whoever changes k. If the limit fell below the force, the finger slips in that step, at work ≥ 0. Does
-  /// not allocate, nor free if the caller keeps a copy of the sampled radius law that it replaces.
+  /// Changes the parameters in the loop, for example when the finger touches another material. If a parameter is out of
+  /// range (`refusal`), returns false and changes nothing. `output`, proxy, angle and memories stay bit for bit;
+  /// `margin`, `load_to_hold` and `spring_energy` use the new parameters at once, with the wrench and deflection of the
+  /// last step. In the next step the new springs act at the same deflection, so load and force scale with k; you supply
+  /// the energy ½Δk|x|². If the limit is now below the force, the finger slips in that step, with work ≥ 0. Does not
+  /// allocate. Does not free memory either, provided you keep a copy of a sampled radius law that you replace.
   bool change(const FingerParameters& parameters) noexcept;
-  /// The first bad parameter, for which `change` is false and the constructor throws; none: `change` takes them.
+  /// The first parameter for which `change` returns false and the constructor throws; empty if `change` accepts all of
+  /// them.
   [[nodiscard]] std::optional<BadParameter> refusal(const FingerParameters& parameters) const noexcept;
 
   /// Call this instead of `update` in a step without a sample, with your reason and the time step [s].

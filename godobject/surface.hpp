@@ -10,9 +10,10 @@
 
 namespace limitcurve::godobject {
 
-/// The surface of a solid, in its body's frame. `contact` returns the surface point nearest the finger, the outward
-/// normal, the depth (≤ 0 outside), and the memory for the next query. `finger` is finite. The function has no state:
-/// the finger keeps the memory, of samples that it accepts. Bounded time, no allocation, no exception.
+/// The surface of a solid, in its body's frame. Your `contact` returns the surface point nearest to the finger, the
+/// outward normal there, the depth (≤ 0 outside), and the memory for the next query. You may rely on `finger`
+/// being finite. Your function must not keep state, because the SoftFinger keeps the memory, and only of samples that
+/// the finger accepts. It must take bounded time, and must not allocate or throw.
 // clang-format off
 template <class Shape>
 concept Surface = requires(const Shape& shape, const Eigen::Vector3d& finger, const ContactMemory& memory) {

@@ -66,10 +66,10 @@ void check_vertices(std::span<const UnitWrench> vertices);
 /// A convex polygon as limit curve: vertices from (A, 0) to (0, B), joined by straight faces. `box` and `diamond` make
 /// the two that physics engines use: uncoupled limits, and the friction pyramid.
 ///
-/// Models LimitCurve. At a corner one wrench has many normals, on a face one normal has many wrenches. `wrench` returns
-/// the vertex that supports the twist (for the normal of a face either of its vertices); for pure sliding (A, 0), for
-/// pure spin (0, B). `vertices` gives the exact faces. Rounding: `along` and `gauge` ≤ 4 ε, `wrench` none. Cost:
-/// nanoseconds, linear in the number of vertices.
+/// Models LimitCurve. At a corner a wrench has many normals, and on a face a normal has many wrenches. `wrench`
+/// therefore returns the vertex that supports the twist, which for the normal of a face may be either end of the face;
+/// for pure sliding (A, 0), for pure spin (0, B). `vertices` gives the exact faces. Rounding: `along` and `gauge` ≤ 4
+/// ε, `wrench` none. Cost: nanoseconds, linear in the number of vertices.
 template <std::size_t count>
 class Polygon {
   static_assert(count >= 2);

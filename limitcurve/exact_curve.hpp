@@ -11,9 +11,9 @@
 
 namespace limitcurve {
 
-/// The exact unit limit curve of a pressure law (eq. 17), against which models are judged; in a control loop use a
-/// Table. Models LimitCurve. Error and cost of `wrench` are those of the law's `forces`. Both ends are exact; other
-/// wrenches are scaled by 1 − 9e-16, so that rounding seldom puts them outside the curve.
+/// The exact unit limit curve of a pressure law (eq. 17), against which you can judge models; in a control loop use a
+/// Table. Models LimitCurve. `wrench` has the error and the cost of the law's `forces`. The ends are exact. All
+/// wrenches in between are scaled by 1 − 9e-16, so that rounding seldom puts them outside the curve.
 class ExactCurve {
  public:
   /// Throws std::invalid_argument for a law that `checked` rejects.

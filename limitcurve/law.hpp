@@ -12,8 +12,8 @@ using Extended = long double;
 
 class PressureLaw;
 
-/// A pressure law: a shared pointer to an immutable object. laws.hpp has the factories, pressure_law.hpp the member
-/// functions.
+/// A pressure law is a shared pointer to an immutable object. A factory of laws.hpp can make one, and
+/// pressure_law.hpp declares the member functions.
 using Law = std::shared_ptr<const PressureLaw>;
 
 }  // namespace limitcurve

@@ -8,8 +8,9 @@
 
 namespace limitcurve {
 
-/// A limit curve: a convex curve in the quadrant f, m ≥ 0, from (f_max, 0) to (0, m_max), in unit wrenches. Models:
-/// ExactCurve, Table, Ellipse, Polygon (box, diamond). Errors and load curves are templates over this concept.
+/// A limit curve is a convex curve in the quadrant f, m ≥ 0, from (f_max, 0) to (0, m_max), in unit wrenches.
+/// ExactCurve, Table, Ellipse and Polygon (box, diamond) model this concept. Errors and load curves are templates over
+/// this concept.
 ///
 /// Requirements; tests/limitcurve/curve_suite.cpp has a test for each, and runs it for every curve:
 ///  - `wrench(t)`: the curve point whose outward normal is the slip twist t; on a flat face any point of the face. A
@@ -22,8 +23,9 @@ namespace limitcurve {
 ///  - `gauge(w)`:  the factor γ ≥ 0 for which w/γ is on the curve; γ < 1: the contact holds, γ > 1: it slips, γ = 0 for
 ///                 w = 0, ∞ for an infinite w;
 ///  - `moment_ratio()`: moment intercept divided by force intercept, m₀ = μ_r/(μ a).
-/// Signs of t and w are ignored; results are ≥ 0 (slopes as in SlopedPoint). They do not throw, allocate or lock; every
-/// loop is bounded. NaN gives NaN. Results stay accurate for twists and wrenches times 1e-120 … 1e120.
+/// Signs of t and w must be ignored, and results must be ≥ 0 (slopes as in SlopedPoint). The functions must not throw,
+/// allocate or lock, and every loop must be bounded. NaN must give NaN. Results must stay accurate if twists and
+/// wrenches are multiplied by 1e-120 … 1e120.
 // clang-format off
 template <class Curve>
 concept LimitCurve = requires(const Curve& curve, SlipTwist twist, UnitWrench wrench) {

@@ -15,8 +15,8 @@
 #include "wrench.hpp"
 
 /// The friction limit curve of a soft finger, for any axisymmetric pressure: how much force and moment a sliding,
-/// twisting contact carries. Start here. Patches (patch/), engines (engines/, tangent_ellipse.hpp) and `hold_error`
-/// (measured/) have headers of their own.
+/// twisting contact carries. Start here. This header does not include patches (patch/), engines (engines/,
+/// tangent_ellipse.hpp) and `hold_error` (measured/).
 ///
 /// ```cpp
 /// #include "limitcurve/limitcurve.hpp"

@@ -12,7 +12,7 @@
 
 namespace limitcurve {
 
-/// The method that evaluates eq. (17). limitcurve/README.md lists the laws that each is for.
+/// How to evaluate eq. (17). limitcurve/README.md lists the laws for which each method works.
 enum class Method {
   automatic,  ///< closed if the law has a closed form, else ring
   closed,     ///< the law's closed form
@@ -26,11 +26,12 @@ enum class Method {
 std::span<const std::string_view> method_names();
 std::string_view to_string(Method method);
 
-/// Whether a function computes df/ds, too. By quadrature the slope adds half to the cost. `unwanted`: df/ds may be NaN.
+/// Whether a function also computes the slope df/ds, which makes quadrature 50 % more expensive. If `unwanted`, df/ds
+/// may be NaN.
 enum class Slope { wanted, unwanted };
 
-/// A radius under the finger: ρ = r/a, and its distance from the rim. `rim` keeps its digits near the rim, where 1 − ρ
-/// cancels.
+/// A position under the finger: its radius ρ = r/a and its distance from the rim. Use `rim` instead of 1 − ρ, which
+/// loses digits near the rim.
 template <class Real>
 struct RadialPosition {
   Real radius;
@@ -74,17 +75,19 @@ class PressureLaw {
   }
   [[nodiscard]] virtual Extended punch_exponent() const noexcept { return 0; }
 
-  /// Unit wrench at s = c/a ∈ [0, ∞], without an error estimate: the closed form if the law has one, else ring; in
-  /// double where double is accurate enough. NaN for NaN. Relative error ≤ 1e-14 (df/ds: 1e-13) for elementary and
-  /// elliptic closed forms and the Gaussian, ≤ 1e-13 (df/ds: 1e-12) for all other laws. If the pressure is steeper than
-  /// rim^(−½), df/ds has a cusp at s = 1: there one rounding of s changes it by 1 % or more. Cost: nanoseconds for a
-  /// closed form, up to 0.1 ms by quadrature; no exception, no allocation, no lock. In a control loop use a table.
+  /// The unit wrench at s = c/a ∈ [0, ∞], without an error estimate. Uses the closed form if the law has one, else
+  /// Method::ring, and computes in double wherever double is accurate enough. Returns NaN for NaN. Relative error ≤
+  /// 1e-14 (df/ds: 1e-13) for elementary and elliptic closed forms and the Gaussian, ≤ 1e-13 (df/ds: 1e-12) for all
+  /// other laws. If the pressure is steeper than rim^(−½), df/ds has a cusp at s = 1: there one rounding of s changes
+  /// it by 1 % or more. Cost: nanoseconds for a closed form, up to 0.1 ms by quadrature; no exception, no allocation,
+  /// no lock. In a control loop use a table.
   [[nodiscard]] virtual UnitForces<double> forces(double s, Slope slope = Slope::wanted) const noexcept;
 
-  /// Unit wrench at |s| ∈ [0, ∞] and a bound on its absolute error, computed in extended precision. `allows(method)`
-  /// must be true. The true error is at most the error returned. That is ≤ 1e-15 relative for a closed form and ≤ 1e-14
-  /// for ring and punch (larger if long double is double: accuracy.hpp); ≤ 1e-13 for boost; for direct it is absolute.
-  /// A law from samples adds its interpolation error. Cost: 1 µs to 0.5 ms, direct 10 to 100 ms.
+  /// The unit wrench at |s| ∈ [0, ∞] in extended precision, with a bound on its absolute error. `allows(method)` must
+  /// be true. The true error never exceeds the bound. Relative to the wrench, the bound is at most 1e-15 for a closed
+  /// form, 1e-14 for ring and punch (more where long double is no wider than double: accuracy.hpp) and 1e-13 for boost;
+  /// for direct there is only an absolute bound. For a law from samples, the bound includes the interpolation error.
+  /// Cost: 1 µs to 0.5 ms; direct takes 10 to 100 ms.
   [[nodiscard]] virtual WrenchEstimate evaluate(double s, Method method = Method::automatic) const noexcept;
 
   /// The result of `evaluate` before rounding to double, by Method::automatic. Its error leaves out the interpolation
@@ -96,12 +99,12 @@ class PressureLaw {
   /// includes it. 0 for a law given by a formula.
   [[nodiscard]] virtual double profile_error() const noexcept { return 0.0; }
 
-  /// Of a measured profile: the radius, in the unit of its samples, that the contact radius stands for. 0 for a law
-  /// given by a formula.
+  /// For a measured profile: which radius, in the unit of its samples, is the contact radius a. 0 for a law given by a
+  /// formula.
   [[nodiscard]] virtual double rim() const noexcept { return 0.0; }
 
-  /// What a user should know of a measured profile, a line each: "note: …" of what was done with it, "warning: …" if
-  /// the last radius is probably not the rim.
+  /// What to tell the user about a measured profile, one message per line: "note: …" says what was done with the
+  /// samples, "warning: …" that the last radius is probably not the rim.
   [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
 
   /// The pressure projected on a line through the contact centre, at the distance t ≥ 0 [contact radii] from it: see
@@ -129,9 +132,9 @@ Method method_of(const PressureLaw& law, std::string_view name);
 ///    its derivatives jumps;
 ///  - the pressure grows towards the rim at most like rim^(−½), computed from `rim`, or has a
 ///    `rim_exponent`. A ring of infinite pressure within the rim costs digits: about 1e-9.
-/// If a law breaks one of these rules, its quadrature misses a part of the load: `evaluate` and
-/// tables add this part to their error, and `checked` rejects more than 1e-3. Never NaN.
-/// Method::boost, the independent reference, does not look for it.
+/// If a law breaks one of these rules, its quadrature misses a part of the load. `evaluate` and tables add this part to
+/// their error, and `checked` rejects the law if the part exceeds 1e-3. Results cannot become NaN. Method::boost, the
+/// independent reference, does not detect the missing part.
 template <class Derived>
 class PressureLawOf : public PressureLaw {
  public:

@@ -19,17 +19,17 @@
 
 namespace limitcurve {
 
-/// What a table says about itself: its law, tolerance and error bounds.
+/// Metadata of a table: its law, tolerance and error bounds.
 struct TableFacts {
   std::string law_name;        ///< or the name of the curve
   double tolerance = 0.0;      ///< the tolerance given to `build`
   double checked_error = 0.0;  ///< bound on the absolute error of f and of m: ≤ tolerance·max(force_max, m_max)
-  double profile_error =
-      0.0;  ///< absolute error of the law itself if its pressure was sampled (PressureLaw::profile_error); add it
+  double profile_error = 0.0;  ///< absolute error because the pressure is known only at samples
+                               ///< (PressureLaw::profile_error); add it to checked_error
 };
 
-/// One cell: the support function on one side of the rim, D(t) = Σ cᵢ (t − x)ⁱ, from t = x to the next cell's x or
-/// to 1.
+/// One cell of a table: the polynomial D(t) = Σ cᵢ (t − x)ⁱ for the support function on one side of the rim, valid from
+/// t = x to the x of the next cell, or to 1 in the last cell.
 struct TableCell {
   double x;
   std::array<double, 7> coefficients;
@@ -49,10 +49,10 @@ struct TableCells {
 /// How to build a table.
 struct TableOptions {
   std::string name = {};  ///< becomes law_name(); if empty, that of the law
-  /// Preferred size, not a limit. Lower degrees are faster but larger: the table gets the lowest degree, 3 to 5, that
-  /// fits this many bytes() and finds its cell without a search. If none fits, it gets degree 6 and any size, or degree
-  /// 3 where 6 hits rounding. A look-up costs about 0.5 ns more per degree, and 4 ns per search step if a search is
-  /// unavoidable.
+  /// The size to aim for; it is not a limit. A lower degree makes a table faster but larger. The builder takes the
+  /// lowest degree from 3 to 5 whose table fits into this many bytes() and finds its cell without a search. If no such
+  /// table exists, it takes degree 6 at whatever size, or degree 3 if rounding rules out 6. A look-up costs about 0.5
+  /// ns more per degree, plus 4 ns per search step if it has to search.
   std::size_t preferred_bytes = 4096;
 };
 
@@ -60,11 +60,11 @@ struct TableOptions {
 /// 96 KiB. `build` it before the loop; `wrench`, `along` and `gauge` do not allocate, throw or lock. Immutable; copies
 /// share the cells. Models LimitCurve.
 ///
-/// If f and m were interpolated separately, a finger could rest at several wrenches of one steady twist
-/// (docs/stability.md). So the table stores one convex function: D(x) = H(x, 1), x = c/a, inside the rim, D(x) = H(1,
-/// x), x = a/c, outside, in cells of degree 3 to 6. Cells join with continuous slope, and the builder proves each
-/// convex. The slip twist is thus exactly the table's normal at the wrench (D′, D − xD′). Pure sliding and pure spin
-/// are exact.
+/// A table that interpolated f and m separately would let a finger settle at several wrenches in one steady twist
+/// (docs/stability.md). This table therefore stores one convex function in cells of degree 3 to 6: inside the rim D(x)
+/// = H(x, 1) with x = c/a, outside it D(x) = H(1, x) with x = a/c. The slope is continuous from cell to cell, and the
+/// builder proves that each cell is convex. As a result, the slip twist is exactly the normal of the tabulated curve at
+/// the wrench (D′, D − xD′). Pure sliding and pure spin are exact.
 template <class Real>
 class BasicTable {
  public:
@@ -76,10 +76,10 @@ class BasicTable {
   /// The largest bytes() of a table.
   static constexpr std::size_t max_bytes = 98304;
 
-  /// Builds the table of `law`: |error| ≤ tolerance·max(1, m₀) in f and in m at every twist. Takes milliseconds for a
-  /// closed form, up to seconds by quadrature. Throws std::invalid_argument for a law that `checked` rejects or a
-  /// tolerance out of range, and std::runtime_error, which names the law, if the tolerance needs more than max_bytes or
-  /// is finer than the law's own error.
+  /// Builds the table of `law`. At every twist the error in f and in m is at most tolerance·max(1, m₀). Takes
+  /// milliseconds if the law has a closed form, and up to seconds if it needs quadrature. Throws std::invalid_argument
+  /// if `checked` rejects the law or the tolerance is out of range. Throws std::runtime_error, naming the law, if the
+  /// table would exceed max_bytes or the tolerance is finer than the law's own error.
   static BasicTable build(const Law& law, double tolerance = default_tolerance, TableOptions options = {});
 
   /// Builds the table of any smooth curve, such as an ellipse or your own, whose `wrench(SlipTwist)` is accurate to
@@ -132,8 +132,8 @@ class BasicTable {
   /// Plain data for control loops. Valid while any copy of the table exists.
   [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
 
-  /// The wrench of a slip twist, to checked_error(). Signs are ignored; a zero twist gives wrench 0.
-  /// Inlined, as `point` and `gauge`: your compiler's flags may change its last bits (docs/interfaces.md).
+  /// The wrench of a slip twist, accurate to checked_error(). Ignores signs; returns 0 for a zero twist. Like `point`
+  /// and `gauge`, this is inline, so your compiler flags may change its last bits (docs/interfaces.md).
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     twist = {arithmetic::abs(twist.slide), arithmetic::abs(twist.spin)};
     const double sum = twist.slide + twist.spin;
@@ -144,7 +144,8 @@ class BasicTable {
     return {wrench[0], wrench[1]};
   }
 
-  /// The wrenches of many slip twists, up to the shorter span: the library's bits, whatever your flags.
+  /// The wrenches of many slip twists, as many as the shorter span holds. Compiled into the library, so your compiler
+  /// flags do not change the bits.
   void wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept;
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {

@@ -53,9 +53,9 @@ struct GripOperator {
 /// which do not move while their load changes. x points right and y up; the origin is the grip point. At the start the
 /// block is level, and its centre of mass is at (−offset, 0). Its weight turns it counter-clockwise, to positive
 /// angles, until the centre of mass hangs below the grip (90° without slip). The block moves in the plane only. The
-/// paper gives μ_l, μ_r (its Table 1), the two cases and the level start. It does not give the block, its offset,
-/// springs, dampers, rate of release and time step: these defaults are our choice. k_r and the rate decide case A, the
-/// offset both cases (docs/paper.md, §6).
+/// paper gives μ_l, μ_r (its Table 1), the two cases and the level start. The paper does not give the block, the
+/// offset, springs, dampers, rate of release and time step, so these defaults are our choice. k_r and the rate decide
+/// case A, the offset both cases (docs/paper.md, §6).
 struct PivotOptions {
   PivotCase kind = PivotCase::coupled;
   std::optional<CurveKind> curve = {};        ///< absent: the case's
@@ -79,8 +79,8 @@ struct PivotOptions {
   double duration = 10.0;                    ///< [s] ≥ 0
   Law law = {};                              ///< pressure law; absent: Hertz
   double tolerance = 1e-8;                   ///< of the table, if the curve is one
-  /// Load of each finger over time, at increasing times. Empty and no operator: from `default_load` to half of it in 10
-  /// s.
+  /// Load of each finger over time, at increasing times. If empty and without an operator, the load falls from
+  /// `default_load` to half of that in 10 s.
   std::vector<GripSample> grip = {};
   std::optional<GripOperator> grip_operator = {};  ///< instead of `grip`
 
@@ -110,7 +110,7 @@ struct PivotRow {
   double trial_rho = 0.0;  ///< |α_p − α_g| before step b [rad]
 };
 
-/// The experiment: call `step` until it returns false, and read each `row`. Deterministic.
+/// Runs the experiment. Call `step` until it returns false, and read each `row`. Deterministic.
 class Pivot {
  public:
   class Scene;  // defined in pivot.cpp
@@ -136,9 +136,9 @@ class Pivot {
   std::unique_ptr<Scene> scene_;
 };
 
-/// The default load at the start of a grip [N]: 1.3 times the load that holds the block on an ellipse (eq. 19), rounded
-/// up to two digits, and at least 0.5 N. All cases of a block begin with it, and hold: the ellipse needs at most a
-/// tenth less load than the exact curve.
+/// The default load at the start of a grip [N] is 1.3 times the load that holds the block on an ellipse (eq. 19),
+/// rounded up to two digits, and at least 0.5 N. All cases of a block begin with this load, and hold, because the
+/// ellipse needs at most a tenth less load than the exact curve.
 double default_load(const PivotOptions& options);
 
 }  // namespace limitcurve::godobject

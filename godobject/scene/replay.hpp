@@ -72,9 +72,9 @@ class Replay {
 
   /// Steps to the next sample: time [s], a pose for each finger (a missing one counts as far away), and the pose of the
   /// body, used if its motion is prescribed. If the time is not finite or earlier than the last, or the body's pose is
-  /// not valid, all fingers are `invalid` and nothing moves; if the next time goes on from the earlier one, it is
-  /// taken. If a finger's pose is not finite, that finger is
-  /// `invalid`. `SceneContact::fault` names the reason.
+  /// not valid, all fingers are `invalid` and nothing moves. If the next time then continues from the earlier time, the
+  /// replay accepts the earlier time. If a finger's pose is not finite, that finger is `invalid`. `SceneContact::fault`
+  /// names the reason.
   void step(double time, std::span<const DevicePose> fingers, const BodyPose& body = {}) noexcept;
 
   /// The current state of each finger.

@@ -9,20 +9,20 @@
 
 namespace limitcurve::godobject {
 
-/// Makes one contact of the walls that a finger is in: contacts of one finger position x = point − normal·depth, in one
-/// frame, for example with two faces of a groove. If you pass the deepest wall alone, noise of the device exchanges the
-/// walls, and the friction along the groove fades.
+/// Makes a single contact of all walls that a finger is in, for example two faces of a groove. The contacts must have
+/// the same frame and finger position x = point − normal·depth. If you pass only the deepest wall, noise of the device
+/// exchanges the walls, so the friction along the groove fades.
 ///
 /// The surface point becomes the point nearest to x outside of all walls, the normal points from x to it, and the depth
 /// is their distance, at most √3 times the deepest. At most three walls act. If two of them meet at less than 90° (0.6°
-/// less counts as 90°), or if no point is outside of all, the result is the deepest contact; so it is, bit for bit, if
-/// leaving that wall leaves all. So one of two coplanar walls counts. `landed` is set if any contact has it; `memory`
-/// is that of the deepest. An empty range gives a depth of 0. A contact that no finger accepts is returned, so that the
-/// finger names the fault.
+/// less counts as 90°), or if no point is outside of all, the result is the deepest contact. The result is that
+/// contact, bit for bit, also if leaving that wall leaves all, so of two coplanar walls only the deeper counts.
+/// `landed` is set if any contact has `landed`; `memory` is from the deepest contact. An empty range gives a depth of
+/// 0. A contact that no finger accepts is returned, so that the finger can name the fault.
 ///
-/// If the tip is round, pass contacts of its centre: move each point outward by the radius, and keep normal and depth.
-/// Otherwise x differs from wall to wall, and the springs pull the tip into the corner. Costs some 10 ns per contact,
-/// if there are few.
+/// If the tip is round, you must pass contacts of the tip's centre: move each point outward by the radius, and keep
+/// normal and depth. Otherwise x differs from wall to wall, and the springs pull the tip into the corner. Costs some 10
+/// ns per contact, if there are few.
 template <std::ranges::forward_range Contacts>
 [[nodiscard]] Contact join(const Contacts& contacts) noexcept {
   if (contacts.begin() == contacts.end()) return {};

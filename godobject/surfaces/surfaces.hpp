@@ -5,9 +5,9 @@
 
 namespace limitcurve::godobject {
 
-/// A sphere about the origin. It does not remember where a finger entered: one pressed past the centre comes out on the
-/// far side, and one that crosses the sphere in one step does not touch it. At the centre a finger keeps the normal of
-/// the last step.
+/// A sphere about the origin. It does not remember where a finger entered. So a finger that is pressed past the centre
+/// comes out on the far side, and a finger that crosses the whole sphere in one step never touches it. A finger at the
+/// centre keeps the normal of the last step.
 class SphereSurface {
  public:
   explicit SphereSurface(double radius);  ///< [m] > 0, ≤ 1e6; throws std::invalid_argument
@@ -31,8 +31,9 @@ class CapsuleSurface {
 };
 
 /// The cylinder x² + y² ≤ R², |z| ≤ h, with flat ends. A finger inside stays on the face (side or end) through which it
-/// entered, so that it cannot pass through a thin disc, not even in one step. Through a thin rod it can: the side is
-/// one face, without memory of where on it the finger entered. On the axis it keeps the normal of the last step.
+/// entered, so it cannot pass through a thin disc, not even in one step. It can pass through a thin rod, because the
+/// side is a single face and does not remember where the finger entered. A finger on the axis keeps the normal of the
+/// last step.
 class CylinderSurface {
  public:
   CylinderSurface(double radius, double half_length);  ///< [m] > 0, ≤ 1e6; throws std::invalid_argument

@@ -69,9 +69,10 @@ inline namespace LIMITCURVE_COPIES {
 #endif
 
 /// How hard to grip: the smallest load [N] under which the contact carries a force [N] and a moment [N·m] without slip.
-/// Signs are ignored. 0 if both are zero; ∞ without friction, for a moment if μ_r is 0, and if no finite load holds;
-/// NaN for NaN. Relative error ≤ 1e-12 plus the curve's; for a measured pressure add `hold_error`. Cost: one call of
-/// `gauge` for a constant radius, else 3 to 6 calls of `along`, at most 60. Throws like `ContactFriction::radius`.
+/// Ignores signs. Returns 0 if both are zero; ∞ if there is no friction, if μ_r is 0 but the moment is not, or if no
+/// finite load holds; NaN for NaN. The relative error is at most 1e-12 plus that of the curve; for a measured pressure,
+/// add `hold_error`. Cost: one call of `gauge` for a constant radius, else 3 to 6 calls of `along`, at most 60. Throws
+/// like `ContactFriction::radius`.
 template <class Curve>
 double load_to_hold(const Curve& curve, const ContactFriction& contact, double force, double moment) {
   const RadiusLaw radius_law = detail::radius_law_of(curve, contact);

@@ -19,10 +19,11 @@ struct LoadSample {
   double value;  ///< a [m] or Γ [N·m] > 0
 };
 
-/// A radius law: the contact radius a(P) at normal load P. Either a power law a = c·P^γ, which covers the published
-/// laws: constant (γ = 0), Hertz a = (3PR/4E*)^{1/3} (γ = 1/3), soft finger c·P^γ (Xydas and Kao 1999, 0 ≤ γ ≤ 1/3); or
-/// measured samples with a power law from each sample to the next. Because Γ(P) = m₀ μ P a(P), a measured moment limit
-/// gives a radius law, too: `of_moments`, and `of_mu_r` for Γ = μ_r P^(1+γ). Immutable; copies share the samples.
+/// The contact radius a(P) as a function of the normal load P. It is either a power law a = c·P^γ or an interpolation
+/// of measured samples. The power law covers the published ones: constant (γ = 0), Hertz, a = (3PR/4E*)^{1/3} (γ =
+/// 1/3), and soft finger (Xydas and Kao 1999, 0 ≤ γ ≤ 1/3). Between samples, each pair of neighbours defines its own
+/// power law. If you measured the moment limit instead of the radius, use `of_moments`, or `of_mu_r` for Γ = μ_r
+/// P^(1+γ): they solve Γ(P) = m₀ μ P a(P) for a. Immutable; copies share the samples.
 class RadiusLaw {
  public:
   /// a = radius [m] > 0 at every load.
@@ -31,15 +32,15 @@ class RadiusLaw {
   static RadiusLaw hertz(double sphere_radius, double modulus);
   /// a = c P^γ, c [m/N^γ] > 0, γ ∈ [0, 1].
   static RadiusLaw power(double coefficient, double exponent);
-  /// Interpolates samples of the radius linearly in log–log; the first and last lines go on beyond the samples. At
-  /// least two samples, loads increasing, the exponent between two samples in (−1, 1], so that the moment limit grows
-  /// with the load.
+  /// Interpolates samples of the radius linearly in log–log; beyond the samples, the first and last lines continue.
+  /// Requires at least two samples with increasing loads. Between two neighbours the exponent must be in (−1, 1], so
+  /// that the moment limit grows with the load.
   static RadiusLaw sampled(std::span<const LoadSample> radii);
   /// Interpolates samples of the moment limit Γ [N·m] the same way: a = Γ/(m₀ μ P).
   static RadiusLaw of_moments(std::span<const LoadSample> moments, double mu, double moment_ratio);
-  /// The radius at which Γ(P) = μ_r P^(1+γ) (paper, eq. 2): a = μ_r P^γ/(μ m₀), μ_r [m/N^γ] ≥ 0, γ ∈ [−0.5, 1]. Without
-  /// friction μ_r must be 0; for μ_r = 0 the radius is so small that the moment is negligible: limits are continuous in
-  /// the parameters.
+  /// The radius at which Γ(P) = μ_r P^(1+γ) (paper, eq. 2): a = μ_r P^γ/(μ m₀), μ_r [m/N^γ] ≥ 0, γ ∈ [−0.5, 1]. If μ =
+  /// 0, μ_r must be 0 too. For μ_r = 0 the radius is not 0 but so small that the moment is negligible; this keeps the
+  /// limits continuous in the parameters.
   static RadiusLaw of_mu_r(double mu_r, double gamma, double mu, double moment_ratio);
   /// A text of the kind of one of the `examples`, such as `constant:a=0.005`.
   static RadiusLaw parse(std::string_view text);
@@ -65,7 +66,7 @@ class RadiusLaw {
   /// the two samples around the load.
   [[nodiscard]] double exponent(double load = 1.0) const noexcept;
   [[nodiscard]] bool is_sampled() const noexcept { return stretches_ != nullptr; }
-  /// Whether a is a function of the load, as a property of the law: two equal radii do not make it constant.
+  /// Whether the radius may change with the load. True for every sampled law, even if its radii are all equal.
   [[nodiscard]] bool depends_on_load() const noexcept { return is_sampled() || exponent_ != 0.0; }
   /// Whether the radius may fall while the load grows.
   [[nodiscard]] bool may_fall() const noexcept { return is_sampled() || exponent_ < 0.0; }

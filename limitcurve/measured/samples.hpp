@@ -18,7 +18,7 @@ struct PressureSample {
 ///  - Between samples: a monotone cubic, which does not overshoot (Fritsch and Carlson 1980; slopes by Fritsch and
 ///  Butland 1984).
 ///  - From the centre to the first radius: the pressure of the first sample.
-///  - Two samples at the same radius: a jump. A repeated sample is ignored.
+///  - Two samples at the same radius make a jump. A repeated sample is ignored.
 ///  - `rim`: the radius, in the unit of the samples, that the contact radius a stands for; 0 for the last radius with
 ///  pressure. That is
 ///    wrong if noise or an offset of the sensor goes on beyond the contact: no rule finds the true rim, and `remarks`
@@ -29,12 +29,13 @@ struct PressureSample {
 ///  Rejected if they
 ///    carry more than 2 % of the load, or if the most negative is above 10 % of the largest pressure.
 ///
-/// The error that `evaluate` returns includes the interpolation error. It is estimated by a bound on the change of the
-/// wrench if samples are left out (every other one of even radii), and exceeds the true error wherever the samples
-/// resolve the profile. `source` names the data in `name()`. Throws std::invalid_argument for fewer than 4 samples, a
-/// number that is not finite, a radius that is negative, smaller than the one before or nearer to it than 1e-9 of the
-/// last radius (two may be equal, but not the last two), a rim beyond 1e-3 to 1e3 times the last radius, and a profile
-/// without pressure.
+/// The error that `evaluate` returns includes the interpolation error. That error is estimated by a bound on the change
+/// of the wrench if samples are left out (every second if radii are
+/// even), and exceeds the true error wherever the samples resolve the
+/// profile. `source` names the data in `name()`. Throws std::invalid_argument if there are fewer than 4 samples, a
+/// number is not finite, or the profile has no pressure. Radii must be ≥ 0 and must not fall; neighbours must be equal
+/// (but not the last two) or differ by at least 1e-9 of the last radius. The rim must be 1e-3 to 1e3 times the last
+/// radius.
 Law samples(std::span<const PressureSample> rows, std::string_view source, double rim = 0.0);
 
 }  // namespace limitcurve

@@ -21,17 +21,17 @@ struct Candidate {
       {};  ///< for people: its error if that is too large, "chosen", or its cost compared with the chosen one's
 };
 
-/// Costs that differ by less than this fraction are a tie: a measurement scatters as much.
+/// Costs that differ by less than this fraction count as equal, because measured costs scatter as much.
 inline constexpr double cost_tie = 0.05;
 
-/// All candidates for `law`, sorted by cost. `chosen` marks the cheapest one whose error is at most `tolerance`; of a
-/// tie, the one with the smallest error. One is always chosen, because the exact curve has error 0. Errors leave out
-/// the profile_error() of a measured pressure. godobject/scene/choose_step.hpp chooses for a whole scene, projection
-/// included.
+/// Returns all candidates for `law`, sorted by cost. `chosen` marks the cheapest one whose error is at most
+/// `tolerance`; among equally cheap ones, the most accurate. One is always chosen, because the exact curve has error 0.
+/// The errors do not include the profile_error() of a measured pressure. To choose the projection as well, for a whole
+/// scene, see godobject/scene/choose_step.hpp.
 ///
-/// Costs are constants (shipped_costs.hpp), measured on one machine, so the choice is the same on every
-/// machine: compare them, do not rely on them. Takes a millisecond for a closed form, a second by quadrature. Throws
-/// std::invalid_argument for a tolerance outside [1e-10, 1] or a law that `checked` rejects.
+/// Costs are constants measured on a single machine (shipped_costs.hpp), so that every machine chooses alike. Compare
+/// costs with each other; your machine may need more or less. Takes a millisecond for a closed form, a second by
+/// quadrature. Throws std::invalid_argument for a tolerance outside [1e-10, 1] or a law that `checked` rejects.
 std::vector<Candidate> choose(const Law& law, double tolerance);
 
 /// Sorts candidates by cost, marks the cheapest whose error is at most `tolerance`, if there is one (of a tie, the one

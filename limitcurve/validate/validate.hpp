@@ -9,14 +9,14 @@
 #include <functional>
 #include <limits>
 
-/// Errors of a limit curve against an exact one, and the best ellipse inside it. Offline: every
-/// function allocates, and evaluates the exact curve 1150 to 1500 times (0.1 to 0.6 ms for a closed
-/// form, about 0.1 s by quadrature), fits included.
+/// Compares a limit curve with an exact one, and finds the best ellipse inside the exact one. For use offline: every
+/// function allocates and evaluates the exact curve 1150 to 1500 times, including any fit. That takes 0.1 to 0.6 ms for
+/// a closed form and about 0.1 s by quadrature.
 namespace limitcurve {
 
-/// Errors over all rays of the normalised plane x = f/f_max, y = m/m_max of the exact curve, from axis to axis. Radial
-/// errors are fractions of the exact radius on the same ray, ≥ 0. 1025 rays are compared. Largest and smallest values
-/// are refined between rays, to 1e-9; the mean is accurate to 1e-6.
+/// Errors of a model over all rays, from axis to axis, of the plane x = f/f_max, y = m/m_max, normalised by the exact
+/// curve. Radial errors are ≥ 0 and are fractions of the exact radius on the same ray. The comparison uses 1025 rays,
+/// then refines the largest and smallest values between rays to 1e-9; the mean is accurate to 1e-6.
 struct CurveError {
   double max_error = 0.0;           ///< the larger of max_over_estimate and max_under_estimate
   double rms_error = 0.0;           ///< root of the mean square over the rays' angle
@@ -128,8 +128,9 @@ Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 
 }  // namespace detail
 
-/// The Padé model of `exact`, whose force_max is 1. Useless, with force_cor 0, if the force of `exact` rises infinitely
-/// steeply from a pure spin (uniform-wear).
+/// The Padé model with the slopes that `exact` has at pure spin and pure sliding; `exact` must have force_max 1. If the
+/// force of `exact` rises infinitely steeply from a pure spin (uniform-wear), there is no such model: the result has
+/// force_cor 0 and is useless.
 template <LimitCurve Exact>
 PadeModel pade_model(const Exact& exact) {
   const double m0 = exact.moment_ratio();
@@ -137,8 +138,9 @@ PadeModel pade_model(const Exact& exact) {
   return {1.0 / (spin * m0), slide / m0, m0};
 }
 
-/// Errors of `model`, a LimitCurve or a PadeModel, against `exact`, a strictly convex curve (the exact curve, a table,
-/// an ellipse; not a polygon). At the ends the ratio of the CORs is its limit, from the slopes of both curves.
+/// Compares `model`, a LimitCurve or a PadeModel, with `exact`, which must be strictly convex (the exact curve, a table
+/// or an ellipse, but not a polygon). At pure sliding and pure spin, the ratio of the CORs is taken as its limit, from
+/// the slopes of both curves.
 template <class Model, LimitCurve Exact>
 CurveError curve_error(const Model& model, const Exact& exact) {
   const UnitWrench intercepts = detail::intercepts_of(exact);
