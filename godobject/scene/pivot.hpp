@@ -50,12 +50,11 @@ struct GripOperator {
 };
 
 /// Options of the paper's experiment: a rectangular block in the vertical plane between two opposite soft fingers,
-/// which do not move while their load changes. x points right and y up; the origin is the grip point. At the start the
+/// which do not move while their load changes. x points right, y up, and the origin is the grip point. At the start the
 /// block is level, and its centre of mass is at (−offset, 0). Its weight turns it counter-clockwise, to positive
 /// angles, until the centre of mass hangs below the grip (90° without slip). The block moves in the plane only. The
-/// paper gives μ_l, μ_r (its Table 1), the two cases and the level start. The paper does not give the block, the
-/// offset, springs, dampers, rate of release and time step, so these defaults are our choice. k_r and the rate decide
-/// case A, the offset both cases (docs/paper.md, §6).
+/// paper does not give block, offset, springs, dampers, rate of release and time step, so these defaults are our choice
+/// (docs/paper.md, §6).
 struct PivotOptions {
   PivotCase kind = PivotCase::coupled;
   std::optional<CurveKind> curve = {};        ///< absent: the case's
