@@ -222,7 +222,8 @@ LoadSelection select_load(const LoadSamples& samples, const Loss& loss) {
   }
   check_assumptions(best, samples, loss);
   for (const LoadFit& candidate : selection.candidates) {
-    const double difference = candidate.report.aic - best.report.aic;
+    // Infinite with too few rows to choose.
+    const double difference = &candidate == &best ? 0.0 : candidate.report.aic - best.report.aic;
     selection.aic_difference.push_back(difference);
     if (&candidate != &best && difference < 2.0) {
       best.report.warnings.push_back(std::string("the data cannot distinguish ") + to_string(best.model) + " from " +

@@ -52,7 +52,7 @@ ModelFit growth(const LoadSamples& samples, const FitOptions& options) {
   const LoadFit found = options.load_model == LoadModel::best ? selection.candidates.front()
                                                               : fit_load(samples, options.load_model, options.loss);
   ModelFit fit{to_string(found.model), found.report, std::nullopt};
-  for (std::size_t i = 0; i < selection.candidates.size(); ++i)
+  for (std::size_t i = 0; i < selection.candidates.size() && selection.candidates.size() > 1; ++i)
     fit.candidates.emplace_back(to_string(selection.candidates[i].model), selection.aic_difference[i]);
   return fit;
 }

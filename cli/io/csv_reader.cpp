@@ -425,7 +425,7 @@ void CsvReader::learn_zero() {
     const std::string_view name = own_[column];
     if (name != "load" && name != "force" && name != "moment" && name != "fx" && name != "fy") continue;
     for (const std::size_t place : sources_[column].places) {
-      if (std::ranges::find(channels_, place) == channels_.end()) channels_.push_back(place);
+      if (std::find(channels_.begin(), channels_.end(), place) == channels_.end()) channels_.push_back(place);
     }
   }
   std::vector<std::vector<double>> values(channels_.size());
@@ -445,8 +445,9 @@ void CsvReader::learn_zero() {
     throw complaint_at(0, "--zero: no pause of " + std::to_string(SensorZero::shortest_pause) +
                               " rows without load, expected one or more; is --least-load too small, or the load's sign "
                               "wrong?");
-  const auto place = std::ranges::find(channels_, places_[load_]) - channels_.begin();
-  const auto [low, high] = std::ranges::minmax_element(zero_->levels(static_cast<std::size_t>(place)));
+  const auto place = std::find(channels_.begin(), channels_.end(), places_[load_]) - channels_.begin();
+  const std::span<const double> levels = zero_->levels(static_cast<std::size_t>(place));
+  const auto [low, high] = std::minmax_element(levels.begin(), levels.end());
   say("zero: " + std::to_string(zero_->pauses()) + (zero_->pauses() == 1 ? " pause, " : " pauses, ") +
       header_[places_[load_]] + " " + format_number(*low, 3) + " to " + format_number(*high, 3));
 }
@@ -454,7 +455,7 @@ void CsvReader::learn_zero() {
 double CsvReader::sigma(std::size_t column) const {
   const Source& source = sources_[column];
   const auto of = [&](std::size_t place) {
-    const auto at = std::ranges::find(channels_, place) - channels_.begin();
+    const auto at = std::find(channels_.begin(), channels_.end(), place) - channels_.begin();
     const double sigma = zero_->sigma(static_cast<std::size_t>(at));
     if (sigma > 0.0) return sigma;
     throw complaint(column,
@@ -537,7 +538,7 @@ double CsvReader::number(std::size_t column, const Range& range) const {
 double CsvReader::channel(std::size_t column, std::size_t place, const Range& range) const {
   const double raw = raw_number(column, place, range);
   if (!zero_) return raw;
-  const auto at = std::ranges::find(channels_, place);
+  const auto at = std::find(channels_.begin(), channels_.end(), place);
   return at == channels_.end() ? raw : raw - zero_->at(static_cast<std::size_t>(at - channels_.begin()), zero_row_ - 1);
 }
 

@@ -18,7 +18,7 @@ double middle_of(std::vector<double> values) {
 
 /// The smallest step between two values, 0 if all are equal.
 double step_of(std::vector<double> values) {
-  std::ranges::sort(values);
+  std::sort(values.begin(), values.end());
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (values[i] > values[i - 1]) step = std::min(step, values[i] - values[i - 1]);
@@ -63,7 +63,8 @@ SensorZero::SensorZero(const std::vector<std::vector<double>>& channels, std::sp
 
 double SensorZero::at(std::size_t channel, std::size_t row) const {
   const auto place = static_cast<double>(row);
-  const auto after = static_cast<std::size_t>(std::ranges::lower_bound(middles_, place) - middles_.begin());
+  const auto after =
+      static_cast<std::size_t>(std::lower_bound(middles_.begin(), middles_.end(), place) - middles_.begin());
   if (after == 0) return levels_[channel].front();
   if (after == middles_.size()) return levels_[channel].back();
   const double share = (place - middles_[after - 1]) / (middles_[after] - middles_[after - 1]);
