@@ -132,63 +132,11 @@ class Fit(CommandLineTest):
                 if isinstance(one["std_error"], float):
                     self.assert_close(same["std_error"], one["std_error"], 1e-5)
 
-    def test_columns_and_units_that_are_wrong(self):
-        slips = DATA / "fit" / "slips.csv"
-        call = ["fit", "ratio", "--data", slips]
-        self.assert_fails(2, ["--columns", "'weight'", "expected one of load,force,moment"], *call, "--columns",
-                          "weight=Fz")
-        self.assert_fails(2, ["slips.csv", "no column 'Fz'"], *call, "--columns", "load=Fz")
-        idle = ["--law", "hertz", "--criterion", "inner", "--load-model", "hertz", "--largest-radius", "0.01"]
-        self.assertIn("warning: --law, --criterion, --load-model, --largest-radius: without effect on fit ellipse\n",
-                      run("fit", "ellipse", "--data", slips, *idle).stderr)
-        after = self.file("after.csv", "sensor 7\n" + slips.read_text())
-        self.assertEqual(rows("fit", "ratio", "--quiet", "--data", after),
-                         rows("fit", "ratio", "--quiet", "--data", slips))
-        for listed, said in (("load=-", "no column ''"), ("force=moment:", "no column ''"),
-                             ("force=moment:moment", "each column once"), ("load=load,load=force", "got two")):
-            self.assert_fails(2, said, *call, "--columns", listed)
-        self.assert_fails(2, "got two", *call, "--units", "force=N,force=mN")
-        self.assert_fails(2, ["slips.csv", "no column 'sd'"], *call, "--columns", "sigma_force=sd")
-        for bad in ("load", "load=", "=Fz"):
-            self.assert_fails(2, ["--columns", f"'{bad}'", "load="], *call, "--columns", bad)
-        for bad in ("length=inch", "mass=kg", "length", "angle=mm"):
-            self.assert_fails(2, ["--units", f"'{bad}'", "length=m|cm|mm|um"], *call, "--units", bad)
-        self.assert_fails(2, ["--columns", "--data"], "fit", "ellipse", "--law", "hertz", "--units", "length=mm")
-        # A message names the file's own column.
-        torn = self.file("torn.csv", "Fz,force,moment\n-1,2,3\n")
-        self.assert_fails(2, ["torn.csv:2:1: column 'Fz'"], "fit", "ratio", "--data", torn, "--columns", "load=Fz")
-
-    def test_ratios_that_say_nothing(self):
-        for text, told in [("ratio,ratio_sd\n0.006,0.001\n", "two"), ("ratio\n0.006\n0.007\n", "ratio_sd"),
-                           ("mu\n1\n", "load"), ("ratio,ratio_sd\n0.006,0\n0.006,1\n", "ratios.csv:2:7"),
-                           ("ratio,ratio_sd\n-1,1\n", "ratios.csv:2:1"), ("ratio,ratio_sd\n1,nan\n", "ratios.csv:2:3"),
-                           ("ratio,ratio_sd,n\n1,1,0\n", "ratios.csv:2:5"),
-                           ("ratio,ratio_sd,n\n1,1,0.5\n1,1,2\n", "n = 0.5")]:
-            self.assert_fails(2, told, "fit", "ratio", "--quiet", "--data", self.file("ratios.csv", text))
-        self.assert_fails(2, "--loss", "fit", "ratio", "--loss", "cauchy", "--data", DATA / "materials.csv")
-        # Slips that have a column of that name are slips.
-        slips = "load,force,moment,ratio\n1,0.5,0,1\n1,0,0.003,1\n1,0.4,0.0015,1\n1,0.3,0.0022,1\n"
-        self.assertEqual(rows("fit", "ratio", "--quiet", "--data", self.file("slips.csv", slips))[0]["parameter"], "mu")
-
-    def test_too_few_slips_say_what_is_missing(self):
-        two = self.file("two.csv", "load,force,moment\n1,0.6,0\n1,0,0.003\n")
-        self.assert_fails(2, ["mu, mu_r", "3 samples, or 2 with the columns sigma_force and sigma_moment"], "fit",
-                          "ratio", "--data", two)
-        sure = self.file("sure.csv",
-                         "load,force,moment,sigma_force,sigma_moment\n1,0.6,0,0.01,1e-5\n1,0,0.003,0.01,1e-5\n")
-        self.assertAlmostEqual(self.fitted("ratio", "--data", sure)[0]["mu_r"], 0.003, delta=1e-9)
-        loads = self.file("loads.csv", "load,radius\n1,0.002\n2,0.0024\n")
-        self.assert_fails(2, ["gamma", "3 samples"], "fit", "load", "--data", loads)
-
     def test_a_fit_to_a_curve_has_no_standard_errors(self):
         for criterion in ["least-squares", "minimax", "inner"]:
             for line in run("fit", "ellipse", "--law", "hertz", "--criterion", criterion,
                             "--quiet").stdout.splitlines()[1:]:
                 self.assertEqual(line.split(",")[2], "", line)
-
-    def test_the_ellipse_of_validate_is_that_of_fit(self):
-        validated = next(row for row in rows("validate", "--law", "cone") if row["model"] == "ellipse-least-squares")
-        self.assertEqual(self.fitted("ellipse", "--law", "cone")[0]["force_max"], validated["parameter"])
 
     def test_the_model_of_a_radius_and_loads_with_moments(self):
         fixed, _ = self.fitted("load", "--load-model", "hertz", "--data", DATA / "fit" / "radii.csv")
@@ -204,12 +152,6 @@ class Fit(CommandLineTest):
         found, said = self.fitted("law", "--data", data, "--fit-gamma")
         self.assertNotIn("was assumed", said)
         self.assert_close(found["c"], 0.00435, 1e-6)
-
-    def test_a_negative_gamma_is_an_option_too(self):
-        call = ["fit", "ratio", "--law", "hertz", "--data", DATA / "fit" / "slips.csv", "--gamma"]
-        self.assertEqual(run(*call, "-0.4").returncode, 0)
-        for gamma in ("-0.6", "1.1"):
-            self.assert_fails(2, ["gamma", gamma, "-0.5 <= gamma <= 1"], *call, gamma)
 
     def growing(self, law):
         points = rows("c-curves", "--law", law, "--radius-law", "power:c=0.00435,gamma=0.257", "--mu", "0.7", "--cors",
@@ -330,38 +272,6 @@ class Fit(CommandLineTest):
                             ("friction", ["--data", data, "--patch", "rectangle:x=1,y=1"]),
                             ("ellipse", ["--law", "hertz"])]:
             self.assert_fails(2, ["--residuals", "--data", f"fit {model}"], "fit", model, "--residuals", *call)
-
-    def test_wrong_usage(self):
-        data = self.slips("hertz")
-        self.assert_fails(2, "MODEL", "fit")
-        self.assert_fails(2, ["MODEL", "circle", "ellipse|"], "fit", "circle", "--law", "hertz")
-        self.assert_fails(2, "--data", "fit", "ratio", "--law", "hertz")
-        self.assert_fails(2, "--law", "fit", "ellipse")
-        self.assert_fails(2, ["outer", "minimax|inner"], "fit", "ellipse", "--law", "hertz", "--criterion", "outer")
-        self.assert_fails(2, ["--loss"], "fit", "ellipse", "--data", data, "--loss", "fair")
-        self.assert_fails(2, ["absent.csv"], "fit", "ellipse", "--data", self.directory / "absent.csv")
-
-    def test_bad_data(self):
-        for text, told in [
-            ("load,force\n1,1\n", "'moment'"),
-            ("load,force,moment\n", "no rows"),
-            ("load,force,moment\n1,1,1\n2,2", "bad.csv:3:4: a line of 2 fields"),
-            ("load,force,moment\n1,nan,1\n", "bad.csv:2:3: column 'force'"),
-            ("load,force,moment\n0,1,1\n", "bad.csv:2:1: column 'load'"),
-            ("load,force,moment,sigma_force\n1,1,1,1\n", "sigma_moment"),
-            ("load,force,moment,sigma_force,sigma_moment\n1,1,1,0.1,0\n", "bad.csv:2:11: column 'sigma_moment'"),
-        ]:
-            self.assert_fails(2, told, "fit", "ellipse", "--data", self.file("bad.csv", text))
-        self.assert_fails(2, "radius and moment", "fit", "load", "--data",
-                          self.file("bad.csv", "load,radius,moment\n1,1,1\n"))
-        self.assert_fails(2, "radius and moment", "fit", "load", "--data", self.file("bad.csv", "load,force\n1,1\n"))
-
-    def test_what_the_data_cannot_tell(self):
-        for text in ["load,force,moment\n1,0.5,0.001\n", "load,force,moment\n1,0.5,0\n2,1,0\n3,1.5,0\n",
-                     "load,force,moment\n1,0,0.001\n2,0,0.002\n3,0,0.003\n"]:
-            done = run("fit", "ellipse", "--data", self.file("silent.csv", text))
-            self.assertEqual((done.returncode, done.stdout), (2, ""))
-            self.assertIn("limitcurve: error: ", done.stderr)
 
 
 if __name__ == "__main__":

@@ -194,33 +194,6 @@ class Hold(CommandLineTest):
             self.assertEqual(margins[:4], [1, 1, 0, 0])
             self.assert_close(margins[4], 1 - 1 / 4 / float(contact[-1]), 1e-12)
 
-    def test_bad_input(self):
-        one = ["--force", "1", "--moment", "0"]
-        weight = ["--mass", "1", "--offset", "0"]
-        for told, arguments in ((["--law", "--patch"], ["--mu", "1", *one]),
-                                (["--law", "--patch"], [*CONTACT, "--patch", "rectangle:x=1,y=1",
-                                                        *one]), ("--radius-law", ["--law", "hertz", "--mu", "1", *one]),
-                                ("--radius-law", [*PATCH, "--radius-law", "constant:a=1", *one]), (["--data",
-                                                                                                    "--mass"], CONTACT),
-                                (["--data", "--mass"], [*CONTACT, *one, "--data",
-                                                        "x"]), (["--data", "--mass"], [*CONTACT, *one, *weight]),
-                                ("--moment", [*CONTACT, "--force",
-                                              "1"]), ("--force", [*CONTACT, "--moment",
-                                                                  "1"]), ("--offset", [*CONTACT, "--mass", "1"]),
-                                ("FX,FY", [*PATCH, *one]), ("one, F", [*CONTACT, "--force", "1,2", "--moment", "0"]),
-                                ("--fingers", [*CONTACT, *weight, "--fingers",
-                                               "0"]), ("--fingers", [*CONTACT, *weight, "--fingers",
-                                                                     "1.5"]), ("--mass", [*CONTACT, "--fingers", "2"]),
-                                ("--mu", ["--law", "hertz", "--radius-law", "constant:a=1", "--mu", "-1",
-                                          *one]), ("moment", [*CONTACT, "--data",
-                                                              self.file("short.csv", "force\n1\n")]),
-                                (["bad.csv:2:3", "'x'"],
-                                 [*CONTACT, "--data", self.file("bad.csv", "force,moment\n1,x\n")
-                                  ]), (["load.csv:2:5", "-1"],
-                                       [*CONTACT, "--data",
-                                        self.file("load.csv", "force,moment,load\n1,0,-1\n")])):
-            self.assert_fails(2, told, "hold", *arguments)
-
 
 if __name__ == "__main__":
     unittest.main()

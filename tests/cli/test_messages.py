@@ -242,31 +242,6 @@ class Lines(CommandLineTest):
 
 
 class Meant(CommandLineTest):
-    def test_what_was_meant(self):
-        curves = ["p-curves", "--law", "hertz", "--mu", "1", "--loads", "1", "--radius-law"]
-        for meant, *call in [
-            ("validate", "valdiate"),
-            ("p-curves", "pcurves"),
-            ("--version", "--versoin"),
-            ("hertz", "eval", "--law", "herz", "--c", "1"),
-            ("uniform", "eval", "--law", "unifrom", "--c", "1"),
-            ("power:n=2", "eval", "--law", "pwoer:n=2", "--c", "1"),
-            ("hertz", "eval", "--law", "mix:0.5*herz+0.5*hertz", "--c", "1"),
-            ("samples:f.csv", "eval", "--law", "sample:f.csv", "--c", "1"),
-            ("flat-punch", "eval", "--law", "flatpunch", "--c", "1"),
-            ("constant:a=1", *curves, "const:a=1"),
-            ("moments:f.csv", *curves, "moment:f.csv"),
-            ("rectangle:x=1,y=1", "validate", "--patch", "rectangel:x=1,y=1"),
-            ("points", "validate", "--patch", "point"),
-            ("--law", "eval", "--lwa", "hertz", "--c", "1"),
-            ("--tolerance", "table", "--law", "hertz", "--tol", "1e-6", "-o", "x.csv"),
-            ("--points", "curve", "--law", "hertz", "--pionts=5"),
-            ("radial", "replay", "--trace", "x.csv", *FINGER, "--projection", "radail"),
-        ]:
-            with self.subTest(call=call):
-                self.assert_fails(2, f"; did you mean '{meant}'?", *call)
-                self.assert_fails(2, "expected", *call)
-
     def test_nothing_is_near(self):
         for call in [["wobble"], ["eval", "--law", "x" * 100000, "--c", "1"], ["eval", "--law", "", "--c", "1"],
                      [*EVAL, "--sea", "1"], [*EVAL, "extra"], ["eval", "--law", "hertz:n=1", "--c", "1"],

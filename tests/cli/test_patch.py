@@ -120,16 +120,6 @@ class Patch(PatchCase):
             for found in (row[column.strip("`")], value_of(formula, problem)):
                 self.assertAlmostEqual(float(found) / float(number), 1, delta=5e-4, msg=problem)
 
-    def test_pixels_need_not_be_square(self):
-        image = self.file("image.csv", "1,1\n1,1\n")
-        for twist in ((1.0, 0.2, 0.3), (0.0, 0.0, 1.0), (0.1, -0.3, 5.0)):
-            (row,) = self.wrenches(f"image:{image},pixel=0.5x0.25", twist)
-            (exact,) = self.wrenches("rectangle:x=1,y=0.5", twist)
-            for name in ("fx", "fy", "moment"):
-                self.assertAlmostEqual(float(row[name]), float(exact[name]), delta=float(row["error"]) + 1e-12)
-        self.refused(f"image:{image},pixel=0.5x", "pixel")
-        self.refused(f"image:{image},pixel=0.5x-1", "pixel", "-1")
-
     def test_a_file_of_tekscan_has_its_spacing_and_frames(self):
         header = ("DATA_TYPE MOVIE\r\nROWS 2\r\nCOLS 3\r\nROW_SPACING 5.0 mm\r\nCOL_SPACING 4.0 mm\r\nUNITS "
                   "RAW\r\nASCII_DATA @@\r\n")
@@ -181,49 +171,6 @@ class Patch(PatchCase):
         plain = self.file("plain_image.csv", "1,2\n3,4\n")
         self.assertEqual(self.wrenches(f"image:{plain},pixel=1", (1.0, 0.2, 0.3)),
                          self.wrenches(f"image:{image},pixel=1", (1.0, 0.2, 0.3)))
-
-    def test_bad_patches_name_the_place(self):
-        points = "x,y,load\n0,0,1\n"
-        self.refused("circle:r=1", "expected points:FILE.csv")
-        self.refused("rectangle", "expected points:FILE.csv")
-        self.refused("rectangle:x=1", "no 'y'")
-        self.refused("rectangle:x=1,y=0", "'y'", "> 0")
-        self.refused("rectangle:x=1,y=nan", "'y'", "nan")
-        self.refused("rectangle:x=1,y=1,z=2", "z=2")
-        self.refused("ellipse:law=hertz,a=1", "no 'b'")
-        self.refused("ellipse:law=foo,a=1,b=1", "law 'foo'")
-        self.refused("ellipse:law=hertz,a=1,b=inf", "'b'")
-        self.refused("points:", "no file name")
-        self.refused("points:/no/such/file.csv", "/no/such/file.csv")
-        self.refused(f"points:{self.file('p.csv', points)},mx=0", "'mx'")
-        self.refused(f"points:{self.file('p.csv', '')}", "p.csv:1:1", "empty")
-        self.refused(f"points:{self.file('p.csv', 'x,y,load' + chr(10))}", "p.csv:2:1", "no rows")
-        self.refused(f"points:{self.file('p.csv', points + '1,2,-1' + chr(10))}", "p.csv:3:5", "'load'", "-1")
-        self.refused(f"points:{self.file('p.csv', points + '1,nan,1' + chr(10))}", "p.csv:3:3", "'y'")
-        self.refused(f"points:{self.file('p.csv', 'x,y,load' + chr(10) + '0,0,0' + chr(10))}", "load 0")
-        self.refused(f"points:{self.file('p.csv', 'x,y' + chr(10) + '0,0' + chr(10))}", "no column 'load'")
-        self.refused(f"image:{self.file('i.csv', '1,2')}", "pixel")
-        self.refused(f"image:{self.file('i.csv', '')},pixel=1", "i.csv:1:1", "empty")
-        self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3' + chr(10))},pixel=1", "i.csv:2:2", "expected 2")
-        self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3,x' + chr(10))},pixel=1", "i.csv:2:3")
-        self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3,-4' + chr(10))},pixel=1",
-                     "i.csv: row 2, column 2: a pressure of -4", "offset")
-        self.refused(f"image:{self.file('i.csv', '0,0' + chr(10))},pixel=1", "pressure 0")
-
-    def test_bad_polygons_name_the_vertex(self):
-        def polygon(*vertices):
-            return f"polygon:{self.file('v.csv', 'x,y' + chr(10) + ''.join(f'{x},{y}' + chr(10) for x, y in vertices))}"
-
-        self.refused(polygon((0, 0), (1, 0)), "2 vertices")
-        self.refused(polygon((0, 0), (1, 1), (1, 0), (0, 1)), "vertex 1 to 2", "vertex 3 to 4")
-        self.refused(polygon((0, 0), (1, "inf"), (1, 1)), "v.csv:3:3")
-
-    def test_bad_twists_name_the_place(self):
-        for text, part in (("", "twists.csv:1:1"), ("vx,vy\n1,2\n", "omega"), ("vx,vy,omega\n1,2\n", "twists.csv:2:4"),
-                           ("vx,vy,omega\n1,nan,2\n", "twists.csv:2:3"), ("vx,vy,omega\n1,2,inf\n", "twists.csv:2:5")):
-            done = run("patch", "--patch", "rectangle:x=1,y=1", "--twists", self.file("twists.csv", text))
-            self.assertEqual(done.returncode, 2)
-            self.assertIn(part, done.stderr)
 
 
 class Slip(PatchCase):

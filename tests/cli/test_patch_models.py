@@ -37,11 +37,6 @@ class FitFriction(PatchCase):
         patch = self.file("two.csv", "x,y,load\n" + "".join(f"{x},{y},{w}\n" for x, y, w in points))
         return f"points:{patch}", self.file("pushes.csv", "\n".join(lines) + "\n")
 
-    def test_pushes_that_all_turn_alike_have_no_drift_to_tell(self):
-        found = self.fit(*self.pushes([(0.01, 0.0, 0.0), (0.0, 0.01, 0.0), (-0.02, 0.01, 0.0)]))
-        self.assertAlmostEqual(found["mu"]["value"], 4.0, delta=1e-14)
-        self.assertTrue(math.isnan(found["drift"]["value"]))
-
     MOVED = [(0.01, 0.0, 0.1), (0.0, 0.01, -0.05), (0.001, 0.002, 0.3), (0.02, -0.01, 0.0), (0.0, 0.0, 0.2)]
 
     def changed(self, data, change, name="changed"):
@@ -82,21 +77,6 @@ class FitFriction(PatchCase):
             done = run("fit", "friction", "--patch", patch, "--data", changed)
             self.assertIn(part, done.stderr)
             self.assertEqual("warning" in done.stderr, part != "", done.stderr)
-
-    def test_bad_data_are_named(self):
-        patch, data = self.pushes([(0.01, 0.0, 0.1), (0.0, 0.0, 0.0), (0.0, 0.01, 0.2)])
-        few = self.file("few.csv", self.pushes([(0.01, 0.0, 0.1), (0.0, 0.01, 0.0)])[1].read_text())
-        still = self.file("still.csv", self.pushes([(0.01, 0.0, 0.1), (0.0, 0.0, 0.0)])[1].read_text())
-        torn = self.file("torn.csv", "force_x,force_y,moment,dx,dy,dtheta\n1,2,3,4,5\n")
-        for arguments, part in ((("--patch", patch, "--data", still), "still.csv:3"), (("--patch", patch, "--data",
-                                                                                        few), "expected at least 3"),
-                                (("--patch", patch, "--data", torn), "torn.csv:2"), (("--patch", patch), "--data"),
-                                (("--data", data), "--patch"), (("--patch", patch, "--data", patch[7:]),
-                                                                "no column 'force_x'")):
-            done = run("fit", "friction", *arguments)
-            self.assertEqual(done.returncode, 2)
-            self.assertIn(part, done.stderr)
-        self.assertIn("--patch", run("fit", "ellipse", "--law", "hertz", "--patch", patch).stderr)
 
 
 class HowWrongIsRound(PatchCase):
@@ -167,20 +147,6 @@ class HowWrongIsRound(PatchCase):
         self.assertEqual(chosen("rectangle:x=0.02,y=0.01", 0.01), "patch")
         self.assertEqual(chosen("rectangle:x=0.02,y=0.01,mx=2", 0.1), "ellipsoid")
 
-    def test_bad_usage(self):
-        one = self.file("one.csv", "x,y,load\n1,2,3\n")
-        for arguments, part in ((("validate", "--patch", f"points:{one}"), "on one point"),
-                                (("validate", "--patch", "rectangle:x=1,y=1", "--law", "hertz"),
-                                 "--law"), (("choose", "--patch", "rectangle:x=1,y=1", "--law", "hertz", "--tolerance",
-                                             0.1), "--law and --patch"), (("choose", "--tolerance", 0.1), "--law"),
-                                (("choose", "--patch", "rectangle:x=1,y=1"),
-                                 "--tolerance"), (("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 0.1,
-                                                   "--scene"), "--scene"), (("choose", "--patch", "rectangle:x=1,y=1",
-                                                                             "--tolerance", 7), "tolerance")):
-            done = run(*arguments)
-            self.assertEqual(done.returncode, 2, arguments)
-            self.assertIn(part, done.stderr)
-
 
 class ReplayPatch(PatchCase):
     SPRINGS = ("--mu", 0.6, "--mu-dynamic", 0.5, "--stiffness", 1000, "--twist-stiffness", 0.036, "--details")
@@ -196,19 +162,6 @@ class ReplayPatch(PatchCase):
         found = rows("replay", "--trace", turning, "--body", "trace", "--patch", "rectangle:x=0.02,y=0.01",
                      *self.SPRINGS)
         self.assertIn("slip", {row["state"] for row in found})
-
-    def test_bad_usage(self):
-        rectangle = ("--patch", "rectangle:x=0.02,y=0.01")
-        for more, part in (((), "--law and --patch"), ((*rectangle, "--law", "hertz"), "--law and --patch"),
-                           ((*rectangle, "--radius-law", "constant:a=1"),
-                            "--radius-law"), ((*rectangle, "--mu-r", 1), "--mu-r"), ((*rectangle, "--projection",
-                                                                                      "radial"), "--projection"),
-                           ((*rectangle, "--curve", "box"), "--curve"), ((*rectangle, "--point-radius", 1e-9),
-                                                                         "point_radius"),
-                           (("--law", "hertz", "--radius-law", "constant:a=1", "--point-radius", 1), "--point-radius")):
-            done = run(*self.TRACE, *self.SPRINGS, *more)
-            self.assertEqual(done.returncode, 2, more)
-            self.assertIn(part, done.stderr)
 
 
 if __name__ == "__main__":

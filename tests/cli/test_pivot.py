@@ -193,35 +193,6 @@ class Pivot(CommandLineTest):
         self.assert_fails(2, "twist_stiffness", "pivot", *law, "--gravity", "0")
         self.assert_fails(2, "mu_r_dynamic", "pivot", *law, "--mu-r-dynamic", "0.01")
 
-    def test_bad_input(self):
-        call = ["pivot", "--case", "coupled"]
-        self.assert_fails(2, "--case", "pivot")
-        for words in ["on-slide=", "on-slide=no", "on-slide=keep,on-slide=keep"]:
-            self.assert_fails(2, ["--operator", "on-slide"], *call, "--operator", "target=30deg," + words)
-        self.assert_fails(2, ["--case", "A", "coupled|uncoupled|exact"], "pivot", "--case", "A")
-        self.assert_fails(2, ["--material", "butter", "rayon, suede, sandpaper"], *call, "--material", "butter")
-        for release in [
-                "", "from=1", "from=1,to=0", "from=1,to=0,over=0", "from=-1,to=0,over=1", "from=1,to=0,over=nan",
-                "from=1,to=0,over=1,", "from=1,from=1,to=0,over=1", "from=1,to=0,until=1", "1,0,2", "from=1;to=0;over=2"
-        ]:
-            self.assert_fails(2, ["--release", "expected"], *call, "--release", release)
-        for operator in [
-                "", "target", "target=", "target=30grad", "target=-30deg", "target=0", "target=nan", "rate=1",
-                "target=30deg,speed=0"
-        ]:
-            self.assert_fails(2, ["--operator", "expected"], *call, "--operator", operator)
-        for text, place in [("time,load\n0,1\n0,2\n", "grip.csv:3:1"), ("time\n0\n", "'load'"),
-                            ("time,load\n0,-1\n", "grip.csv:2:3"), ("time,load\n0,1\n1", "grip.csv:3:2"),
-                            ("", "grip.csv:1:1")]:
-            self.assert_fails(2, [place, "expected"], *call, "--grip", self.file("grip.csv", text))
-        self.assert_fails(2, "several", *call, "--release", "from=1,to=0,over=1", "--operator", "target=30deg")
-        for option in ["--mass", "--length", "--height", "--stiffness", "--twist-stiffness", "--time-step"]:
-            for value in ["0", "-1", "nan", "inf", "x"]:
-                self.assert_fails(2, [option, "expected"], *call, option, value)
-        self.assert_fails(2, "offset", *call, "--offset", "0.5")
-        self.assert_fails(2, ["stiffness = 20 N/m", "half its height"], *call, "--stiffness", "20")
-        self.assert_fails(2, ["twist_stiffness = 1e-04", "half a turn"], *call, "--twist-stiffness", "1e-4")
-
 
 if __name__ == "__main__":
     unittest.main()

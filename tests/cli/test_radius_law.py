@@ -50,29 +50,6 @@ class RadiusLaws(CommandLineTest):
         path.write_text("load,moment\n" + text)
         return f"moments:{path}"
 
-    def test_moments_that_are_invalid(self):
-        def call(law, mu="0.5"):
-            return ["p-curves", "--law", "hertz", "--radius-law", law, "--mu", mu, "--loads", "1"]
-        good = "0.5,0.0005\n1,0.001\n2,0.003\n"
-        for law in ["moments:", "moments"]:
-            self.assert_fails(2, ["--radius-law", "expected moments:FILE.csv"], *call(law))
-        self.assert_fails(2, ["none.csv"], *call("moments:none.csv"))
-        self.assert_fails(2, ["moments.csv: ", "at least 2"], *call(self.moments("1,0.001\n")))
-        self.assert_fails(2, ["moments.csv:3:3:", "'-0.001'", "moment"], *call(self.moments("0.5,0.0005\n1,-0.001\n")))
-        self.assert_fails(2, ["moments.csv:2:1:", "'0'", "load"], *call(self.moments("0,0.001\n1,0.002\n")))
-        self.assert_fails(2, ["moments.csv:3:1: ", "load of sample 2", "greater than the one before"],
-                          *call(self.moments("1,0.001\n0.5,0.002\n")))
-        # A moment that falls with the load, or grows faster than its square.
-        self.assert_fails(2, ["moments.csv:3:1: ", "exponent before sample 2"],
-                          *call(self.moments("0.5,0.002\n1,0.001\n")))
-        self.assert_fails(2, ["moments.csv:", ":1: ", "exponent before sample 3"],
-                          *call(self.moments(good.replace("0.003", "0.3"))))
-        self.assert_fails(2, ["moments.csv: ", "mu"], *call(self.moments(good), "0"))
-        radii = self.directory / "radii.csv"
-        radii.write_text("load,radius\n1,0.004\n2,0.005\n")
-        self.assert_fails(2, ["radii.csv:1:1:", "'moment'"], *call(f"moments:{radii}"))
-        self.assert_fails(2, ["moments:FILE.csv"], *call("konstant:a=1"))
-
     def test_beyond_the_samples_and_moments_in_the_wrong_unit(self):
         for law, loads, scene in [(self.moments("1,0.001\n2,0.002\n4,0.004\n"), (0.5, 3), True),
                                   (self.samples("1,0.004\n2,0.005\n4,0.006\n"), (1.5, 4.5), False)]:
@@ -96,16 +73,6 @@ class RadiusLaws(CommandLineTest):
                             "".join(f"{load},{0.5 * load * f},{0.5 * load * scale * 5 * m}\n" for load in [1, 2, 4]
                                     for f, m in [(0, 0.589), (1, 0), (0.86, 0.234)]))
             self.assertEqual(run("fit", "ratio", "--data", path).stderr.count("in metres?"), expected)
-
-    def test_samples_are_named_where_laws_are(self):
-        self.assert_fails(2, ["samples:FILE.csv"], "eval", "--law", "herz", "--c", "1")
-        self.assert_fails(2, ["samples:FILE.csv"], "p-curves", "--law", "hertz", "--radius-law", "konstant:a=1", "--mu",
-                          "1", "--loads", "1")
-        for subcommand in [
-                "laws", "eval", "curve", "p-curves", "c-curves", "table", "validate", "choose", "fit", "translate",
-                "replay", "pivot"
-        ]:
-            self.assertIn("samples:FILE.csv", run(subcommand, "--help").stdout, subcommand)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""replay: accepts any order of columns, refuses a bad trace or option with its place, streams."""
+"""replay: accepts any order of columns, checks gains, streams."""
 
 import os
 import subprocess
@@ -38,31 +38,6 @@ class Files(CommandLineTest):
         piped = run("replay", "--trace", "-", *FINGER, input=TRACE)
         self.assertEqual(piped.stdout, self.replayed(TRACE).stdout)
 
-    def test_what_is_wrong_is_told_by_place(self):
-        cases = [
-            ("", "bad.csv:1:1:", "empty"),
-            ("# nothing\n", "bad.csv:1:1:", "empty"),
-            ("time,x,y,z,twist\n", "bad.csv:2:1:", "no rows"),
-            ("time,x,y,twist\n0,0,0,0\n", "bad.csv:1:1:", "'z'"),
-            ("0,0,0,0,0\n", "bad.csv:1:1:", "'time'"),
-            ("time,x,y,z,qw\n0,0,0,0,1\n", "bad.csv:1:1:", "'twist'"),
-            ("time,x,y,z,twist,x\n0,0,0,0,0,0\n", "bad.csv:1:18:", "'x' twice"),
-            (TRACE + "0.004,0.01,0,-0.0", "bad.csv:6:18:", "4 fields"),
-            (TRACE + "0.004", "bad.csv:6:6:", "1 field,"),
-            (TRACE + "0.004,0,0,0,0,0\n", "bad.csv:6:16:", "6 fields"),
-            (TRACE + "0.004,nan,0,0,0\n", "bad.csv:6:7:", "'nan'"),
-            (TRACE + "0.004,0,inf,0,0\n", "bad.csv:6:9:", "'inf'"),
-            (TRACE + "0.004,0,,0,0\n", "bad.csv:6:9:", "''"),
-            (TRACE + "0.004,0,0,0.1.2,0\n", "bad.csv:6:11:", "'0.1.2'"),
-            (TRACE + "0.004,0,0,0x1,0\n", "bad.csv:6:11:", "'0x1'"),
-            (TRACE.replace("0.002", '"0.002'), "bad.csv:4:1:", "quote"),
-            ("\0\1\2\3", "bad.csv:1:1:", "a byte 0"),
-        ]
-        for text, place, what in cases:
-            self.replayed(text, "bad.csv")
-            self.assert_fails(2, [place, what, "expected"] if what != "quote" else [place, what], "replay", "--trace",
-                              self.directory / "bad.csv", *FINGER)
-
     def test_files_of_another_kind(self):
         self.assert_fails(2, ["absent.csv", "No such file"], "replay", "--trace", self.directory / "absent.csv",
                           *FINGER)
@@ -71,67 +46,17 @@ class Files(CommandLineTest):
         endless.write_bytes(b"x" * 3_000_000)
         self.assert_fails(2, ["endless.csv:1:", "million"], "replay", "--trace", endless, *FINGER)
 
-    def test_options_out_of_range(self):
-        path = self.file("trace.csv", TRACE)
-        for option in ["--mu", "--stiffness", "--twist-stiffness", "--mu-dynamic", "--mu-r", "--tolerance"]:
-            call = ["replay", "--trace", path, *FINGER]
-            if option in call:
-                del call[call.index(option):call.index(option) + 2]
-            for value in ["-1", "nan", "inf", "x"]:
-                self.assert_fails(2, [option, "expected"], *call, option, value)
-        for option in ["--stiffness", "--twist-stiffness", "--mu", "--law"]:
-            call = list(FINGER)
-            del call[call.index(option):call.index(option) + 2]
-            self.assert_fails(2, option, "replay", "--trace", path, *call)
-        for option, values, told in [("--max-speed", ["0", "-0.01", "nan", "x",
-                                                             ""], "expected a number > 0, or inf"),
-                                     ("--fault-decay", ["-0.1", "1.1", "nan", "inf",
-                                                        "x"], "expected a number from 0 to 1")]:
-            for value in values:
-                self.assert_fails(2, [option, told], "replay", "--trace", path, *FINGER, option, value)
-        self.assert_fails(2, ["--curve", "triangle", "ellipse"], "replay", "--trace", path, *FINGER, "--curve",
-                          "triangle")
-        self.assert_fails(2, ["--projection", "c-curve"], "replay", "--trace", path, *FINGER, "--projection", "oblique")
-        self.assert_fails(2, ["mu_dynamic"], "replay", "--trace", path, *FINGER, "--mu-dynamic", "0.7")
-        self.assert_fails(2, ["tolerance"], "replay", "--trace", path, *FINGER, "--tolerance", "0")
-
-    def test_gains_that_are_not_passive_are_refused(self):
+    def test_gains_are_checked_as_replay_reads_the_trace(self):
         call = ["replay", "--trace", self.file("trace.csv", TRACE), *FINGER]
         plain = run(*call).stdout
-        # 1000 N/m at 1 ms need 0.5 N s/m, and 0.036 N m/rad need 1.8e-5 N m s/rad.
-        for device in ["b=0.51", "b=0.51,b_r=1.9e-5", "b=0.051,T=1e-4"]:
-            self.assertEqual(run(*call, "--check-gains", device).stdout, plain, device)
-        self.assert_fails(2, ["not passive", "0.5 N s/m", "got 0.49"], *call, "--check-gains", "b=0.49")
-        self.assert_fails(2, ["not passive", "twist"], *call, "--check-gains", "b=1,b_r=1.7e-5")
-        self.assert_fails(2, ["not passive", "0.9 N s/m"], *call, "--check-gains", "b=0.8", "--damping", "0.4")
-        self.assert_fails(2, ["--check-gains", "expected b=NUMBER"], *call, "--check-gains", "0.5")
-        self.assert_fails(2, ["--check-gains", "'T'"], *call, "--check-gains", "b=0.5,T=0")
-        # A sample late: 1.5 kT, and less where a damper helps.
-        self.assert_fails(2, ["a delay of 1 sample need", "1.5 N s/m"], *call, "--check-gains", "b=1.49,delay=1")
-        self.assert_fails(2, ["1.2125 N s/m"], *call, "--check-gains", "b=1.2,delay=1", "--damping", "0.4")
-        # Units, a header further down, and a pipe, as replay reads them.
-        text = "time,x,y,z,twist\n" + "".join(f"{t},0,0,-1,0\n" for t in [0, 0.1, 10.1, 10.2])
-        jitter = ["replay", *FINGER, "--units", "time=ms,length=mm", "--damping", "2", "--trace"]
-        late = "logged by a jig\n" + text
-        self.assertEqual(run(*jitter, "-", "--check-gains", "b=15.2", input=late).returncode, 0)
-        for trace, given in [(self.file("jitter.csv", text), None), ("-", text)]:
-            self.assert_fails(2, ["not passive", "in steps of 0.0001 to 0.01 s", "15.1 N s/m"], *jitter, trace,
-                              "--check-gains", "b=15", input=given)
-            self.assertEqual(run(*jitter, trace, "--check-gains", "b=2.6,T=0.001", input=given).returncode, 0)
-        again = self.file("again.csv", TRACE + "0.003,0.005,0,-0.001,0\n")
-        self.assert_fails(2, ["again.csv:6:1", "T=SECONDS"], "replay", "--trace", again, *FINGER, "--check-gains",
-                          "b=0.51")
-        self.assertEqual(run(*call, "--check-gains", "b=1.51,b_r=5.5e-5,delay=1").stdout, plain)
-        for delay in ["-1", "0.5", "1001", "x"]:
-            self.assert_fails(2, ["--check-gains", "whole samples"], *call, "--check-gains", f"b=9,delay={delay}")
-        # Without b_r a note, and the sample time is the trace's.
-        self.assertIn("the twist is not checked", run(*call, "--check-gains", "b=0.51").stderr)
-        self.assertNotIn("the twist is not checked", run(*call, "--check-gains", "b=0.51,b_r=1").stderr)
-        slow = self.file(
-            "slow.csv",
-            "time,x,y,z,twist\n0,0,0,-0.001,0\n0.002,0,0,-0.001,0\n0.012,0,0,-0.001,0\n0.013,0,0,-0.001,0\n")
-        self.assert_fails(2, ["5 N s/m", "0.01 s"], "replay", "--trace", slow, *FINGER, "--check-gains", "b=4.9")
-        self.assertEqual(run("replay", "--trace", slow, *FINGER, "--check-gains", "b=5.1").returncode, 0)
+        for device in ["b=0.51", "b=0.51,b_r=1.9e-5", "b=0.051,T=1e-4", "b=1.51,b_r=5.5e-5,delay=1"]:
+            done = run(*call, "--check-gains", device)
+            self.assertEqual((done.stdout, "the twist is not checked" in done.stderr), (plain, "b_r" not in device))
+        # In units, with a header further down, through a pipe.
+        text = "logged by a jig\ntime,x,y,z,twist\n" + "".join(f"{t},0,0,-1,0\n" for t in [0, 0.1, 10.1, 10.2])
+        jitter = ["replay", *FINGER, "--units", "time=ms,length=mm", "--damping", "2", "--trace", "-", "--check-gains"]
+        for device, status in (("b=15.2", 0), ("b=15", 2), ("b=2.6,T=0.001", 0)):
+            self.assertEqual(run(*jitter, device, input=text).returncode, status)
 
     def test_a_long_trace_is_streamed(self):
         def peak(samples):

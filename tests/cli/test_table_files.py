@@ -11,43 +11,6 @@ SEEDS = Path(__file__).resolve().parent.parent / "fuzz" / "seeds"
 
 
 class BadTables(CommandLineTest):
-    def test_tolerances(self):
-        path = self.directory / "table.csv"
-        for tolerance in ["0", "-1e-6", "nan", "inf", "1e-30", "10", "", "1e-6x"]:
-            self.assert_fails(2, ["tolerance", "expected"], "table", "--law", "hertz", "--tolerance", tolerance, "-o",
-                              path)
-        self.assertEqual(list(self.directory.iterdir()), [])
-
-    def test_names(self):
-        for name in ["table", "table.txt", "table.CSV", "csv"]:
-            self.assert_fails(2, ["--output", name, ".csv, .json, .h or .hpp"], "table", "--law", "hertz",
-                              "--tolerance", "1e-4", "-o", self.directory / name)
-        self.assert_fails(2, "--output", "table", "--law", "hertz", "--tolerance", "1e-4")
-        self.assertEqual(list(self.directory.iterdir()), [])
-
-    def test_foreign_files(self):
-        foreign = {
-            "trace.csv": "time,x,y,z,twist\n0,0,0,0,0\n",
-            "empty.csv": "",
-            "binary.csv": "\0\x01\x02\n",
-            "empty.json": "",
-            "array.json": "[1, 2, 3]",
-            "number.json": "3",
-            "other.json": '{"format": "something else"}',
-            "bare.json": '{"format": "limitcurve table 2"}',
-            "kinds.json": '{"format": "limitcurve table 2", "law": 1, "tolerance": "x"}',
-            "deep.json": "[" * 10000,
-            "huge.json": '{"format": "limitcurve table 2", "tolerance": 1e999}',
-        }
-        for name, text in foreign.items():
-            self.assert_fails(2, name, "lookup", "--table", self.file(name, text), "--c", "1")
-        self.assert_fails(2, ["nothing.csv", "No such file"], "lookup", "--table", self.directory / "nothing.csv",
-                          "--c", "1")
-        self.assert_fails(2, [".csv or .json"], "lookup", "--table", self.file("table.hpp", ""), "--c", "1")
-        (self.directory / "folder.csv").mkdir()
-        self.assert_fails(2, ["folder.csv", "directory"], "lookup", "--table", self.directory / "folder.csv", "--c",
-                          "1")
-
     def test_a_json_file_that_was_changed(self):
         path = self.directory / "table.json"
         rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
@@ -58,13 +21,13 @@ class BadTables(CommandLineTest):
                 lambda t: t["inside"][1].__setitem__(0, 1e999), lambda t: t.update(tolerance=-1),
                 lambda t: t.update(index_bits=4.5), lambda t: t.update(octaves=1 << 40),
                 lambda t: t.pop("linear_error"),
-                lambda t: t["inside"][1].__setitem__(2, t["inside"][1][2] * (1 + 1e-9)), lambda t: t.update(law="cone")
+                lambda t: t["inside"][1].__setitem__(2, t["inside"][1][2] * (1 + 1e-9)), lambda t: t.update(law="cone"),
+                lambda t: t.pop("columns"), lambda t: t["columns"].reverse()
         ]:
             table = json.loads(path.read_text())
             spoil(table)
             self.assert_fails(2, "spoilt.json", "lookup", "--table", self.file("spoilt.json", json.dumps(table)), "--c",
                               "1")
-        self.assert_fails(2, "checksum", "lookup", "--table", self.directory / "spoilt.json", "--c", "1")
         self.assert_fails(2, "torn.json", "lookup", "--table", self.file("torn.json",
                                                                          path.read_text()[:-3]), "--c", "1")
 
@@ -75,12 +38,6 @@ class BadTables(CommandLineTest):
             '"index_bits": 4, "octaves": 4, ' \
             '"linear_error": 1, "profile_error": 0, "checksum": "0", ' + sides + "}"
         self.assert_fails(2, "row 1: got a nested array", "lookup", "--table", self.file("deep.json", text), "--c", "1")
-
-    def test_distances(self):
-        path = self.directory / "table.csv"
-        rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
-        for text in ["nan", "", "1,,2"]:
-            self.assert_fails(2, ["--c", "item"], "lookup", "--table", path, "--c", text)
 
 
 class Seeds(CommandLineTest):
