@@ -50,29 +50,16 @@ UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {
 
 template <class Real>
 RadialPoint BasicFingerCurve<Real>::along(UnitWrench direction) const noexcept {
-  direction = direction.magnitudes();
-  const double size = std::max(direction.force, direction.moment);
-  const auto force = static_cast<Real>(direction.force / size);
-  const auto moment = static_cast<Real>(direction.moment / size);
-  if (is_box()) {
-    const double factor = gauge(direction);
-    const bool is_force = force * view_.moment_max >= moment * view_.force_max;
-    return {{direction.force / factor, direction.moment / factor}, {is_force ? 1.0 : 0.0, is_force ? 0.0 : 1.0}};
-  }
-  Real factor{};
-  const CurvePoint<Real> point = point_on_ray(view_, force, moment, Real(0), factor);
-  return {{static_cast<double>(point.force), static_cast<double>(point.moment)},
-          {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
+  if (!is_box()) return limitcurve::along(view_, direction);
+  const auto [force, moment] = direction.magnitudes();
+  const double factor = gauge(direction);
+  const bool is_force = force * moment_max() >= moment * force_max();
+  return {{force / factor, moment / factor}, {is_force ? 1.0 : 0.0, is_force ? 0.0 : 1.0}};
 }
 
 template <class Real>
 double BasicFingerCurve<Real>::gauge(UnitWrench wrench) const noexcept {
-  const auto [force, moment] = wrench.magnitudes();
-  // In units of the larger component, for float has fewer decades than double.
-  const double size = std::max(force, moment);
-  if (!(force + moment > 0.0 && size <= std::numeric_limits<double>::max())) return force + moment;
-  return size * static_cast<double>(limitcurve::gauge(view_, static_cast<Real>(force / size),
-                                                      static_cast<Real>(moment / size), Real(0)));
+  return limitcurve::gauge(view_, wrench);
 }
 
 template class BasicFingerCurve<double>;

@@ -30,6 +30,13 @@ struct Jet {
   Real third;     ///< D‴
 
   [[nodiscard]] Real value(Real x) const noexcept { return trailing + x * leading; }  ///< D
+  /// A step of Horner's scheme for both components, and for the Taylor coefficients of the leading one.
+  [[gnu::always_inline]] void append(Real t, Real next_leading, Real next_trailing) noexcept {
+    third = third * t + second;
+    second = second * t + leading;
+    leading = leading * t + next_leading;
+    trailing = trailing * t + next_trailing;
+  }
   /// Force and moment.
   template <class Mask>
   [[nodiscard]] std::array<Real, 2> wrench(Mask outside) const noexcept {
@@ -125,21 +132,14 @@ struct TableView {
     const auto at = place(outside, x);
     const auto cell = load_cell(cells, at + at, outside);
     const Number t = x - cell.origin();
-    // Horner's scheme for both, and for the Taylor coefficients of the leading one.
     Jet<Number> jet{};
-    const auto add = [&](int i) {
-      jet.third = jet.third * t + jet.second;
-      jet.second = jet.second * t + jet.leading;
-      jet.leading = jet.leading * t + cell.leading(i);
-      jet.trailing = jet.trailing * t + cell.trailing(i);
-    };
-    if (degree > 5) add(6);
-    if (degree > 4) add(5);
-    if (degree > 3) add(4);
-    add(3);
-    add(2);
-    add(1);
-    add(0);
+    if (degree > 5) jet.append(t, cell.leading(6), cell.trailing(6));
+    if (degree > 4) jet.append(t, cell.leading(5), cell.trailing(5));
+    if (degree > 3) jet.append(t, cell.leading(4), cell.trailing(4));
+    jet.append(t, cell.leading(3), cell.trailing(3));
+    jet.append(t, cell.leading(2), cell.trailing(2));
+    jet.append(t, cell.leading(1), cell.trailing(1));
+    jet.append(t, cell.leading(0), cell.trailing(0));
     jet.third = Number(Real(2)) * jet.third;
     return jet;
   }
@@ -185,6 +185,10 @@ struct CurveView {
   Real rim_force = 0;  ///< the wrench at s = 1, the centre of rotation on the rim
   Real rim_moment = 0;
   TableView<Real> table = {};
+  const Real* ray_starts = nullptr;  ///< of a table: three coefficients for each part of the rays (ray_start)
+
+  /// 2^ray_bits parts from pure sliding to pure spin, and one for pure spin alone.
+  static constexpr int ray_bits = 7;
 
   /// Sets the intercepts and the wrench on the rim.
   void set_scale(Real force_intercept, Real moment_intercept, Real force_on_rim, Real moment_on_rim) noexcept {
@@ -197,6 +201,22 @@ struct CurveView {
   }
 
   [[nodiscard]] bool has_table() const noexcept { return table.cells != nullptr; }
+
+  /// Where a search on a ray starts: the curve parameter (CurvePoint), to about 1e-8 if the curve is smooth there, by a
+  /// parabola in the moment's share of the wrench, m/m_max over f/f_max + m/m_max. 0 without a table.
+  template <class Number>
+  [[nodiscard]] Number ray_start(Number share) const noexcept {
+    using namespace arithmetic;
+    const Number zero = Number(Real(0));
+    const Number one = Number(Real(1));
+    if (ray_starts == nullptr) return zero;
+    // NaN counts as pure sliding, so that no index leaves the array.
+    share = smaller(one, larger(zero, share));
+    constexpr int dropped_bits = std::numeric_limits<Real>::digits - 1 - ray_bits;
+    const auto part = leading_bits(one + share, dropped_bits) - leading_bits(one, dropped_bits);
+    const auto at = part + part + part;
+    return gather(ray_starts, at) + share * (gather(ray_starts, at + 1) + share * gather(ray_starts, at + 2));
+  }
 
   /// The support function inside or outside the rim at x ∈ [0, 1]. Not for the box, whose corner has many normals.
   template <class Number, class Mask>
@@ -311,6 +331,13 @@ template <class Real, class Number>
   Number result;
   static_cast<void>(point_on_ray(curve, force, moment, last, result));
   return result;
+}
+
+/// The gauge of a wrench divided by the sum f/f_max + m/m_max, of which its moment has the `share`.
+template <class Real, class Number>
+[[nodiscard]] Number gauge_per_sum(const CurveView<Real>& curve, Number share) noexcept {
+  return gauge(curve, (Number(Real(1)) - share) * Number(curve.force_max), share * Number(curve.moment_max),
+               curve.ray_start(share));
 }
 
 #ifdef LIMITCURVE_COPIES

@@ -78,7 +78,11 @@ class ExactCurve {
     return {{scale * force, scale * moment}, normal};
   }
 
-  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return gauge_along(*this, wrench); }
+  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
+    wrench = wrench.magnitudes();
+    const double sum = wrench.force + wrench.moment;
+    return sum > 0.0 && sum <= (std::numeric_limits<double>::max)() ? gauge_from(wrench, along(wrench).wrench) : sum;
+  }
 
  private:
   static UnitWrench inwards(const UnitForces<double>& forces) noexcept {

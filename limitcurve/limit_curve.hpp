@@ -4,7 +4,6 @@
 #include "wrench.hpp"
 
 #include <concepts>
-#include <limits>
 
 namespace limitcurve {
 
@@ -41,16 +40,6 @@ concept LimitCurve = requires(const Curve& curve, SlipTwist twist, UnitWrench wr
 /// and collinear, so the sum of the components replaces the length, and no square root is needed.
 constexpr double gauge_from(UnitWrench wrench, UnitWrench on_curve) noexcept {
   return (wrench.force + wrench.moment) / (on_curve.force + on_curve.moment);
-}
-
-/// The gauge of any wrench by a curve's `along`, as LimitCurve requires.
-template <class Curve>
-[[nodiscard]] double gauge_along(const Curve& curve, UnitWrench wrench) noexcept {
-  wrench = wrench.magnitudes();
-  const double sum = wrench.force + wrench.moment;
-  if (!(sum > 0.0 && sum <= (std::numeric_limits<double>::max)())) [[unlikely]]
-    return sum;
-  return gauge_from(wrench, curve.along(wrench).wrench);
 }
 
 }  // namespace limitcurve

@@ -185,7 +185,7 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
   const int degree = cells.degree();
   const auto pairs_per_cell = static_cast<std::size_t>(View::pairs_per_cell(degree));
   const table::Buckets buckets{cells.index_bits, cells.octaves};
-  auto data = std::make_shared<Data>(Data{std::move(facts), cells, {}, {}});
+  auto data = std::make_shared<Data>(Data{std::move(facts), cells, {}, {}, {}});
   std::size_t most_in_bucket = 0;
   for (const bool outside : {false, true}) {
     const std::vector<TableCell>& side = outside ? cells.outside : cells.inside;
@@ -221,9 +221,33 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
                  .first_cells = {0, static_cast<int>(cells.inside.size() * pairs_per_cell)},
                  .degree = degree,
                  .halvings = static_cast<int>(std::bit_width(most_in_bucket))};
-  data_ = std::move(data);
   view_.set_scale(view_.table.jet(true, Real(0)).trailing, view_.table.jet(false, Real(0)).trailing,
                   view_.table.jet(false, Real(1)).leading, view_.table.jet(false, Real(1)).trailing);
+  // In each part of the rays the parabola through the curve's parameters at its ends and its middle.
+  constexpr int parts = 1 << CurveView<Real>::ray_bits;
+  Real last = 0;
+  const auto parameter = [&](Real share) {
+    Real gauge{};
+    last = point_on_ray(view_, (1 - share) * view_.force_max, share * view_.moment_max, last, gauge).parameter;
+    return last;
+  };
+  data->ray_starts.resize(3 * (parts + 1));  // pure spin: 0
+  Real begin = parameter(0);
+  for (int i = 0; i < parts; ++i) {
+    constexpr Real half = Real(0.5) / parts;
+    const Real middle = static_cast<Real>(2 * i + 1) * half;
+    const Real at_middle = parameter(middle);
+    const Real end = parameter(middle + half);
+    const Real curvature = (begin - 2 * at_middle + end) / (2 * half * half);
+    const Real slope = (end - begin) / (2 * half);
+    Real* const part = &data->ray_starts[static_cast<std::size_t>(3 * i)];
+    part[0] = at_middle - middle * (slope - middle * curvature);
+    part[1] = slope - 2 * middle * curvature;
+    part[2] = curvature;
+    begin = end;
+  }
+  view_.ray_starts = data->ray_starts.data();
+  data_ = std::move(data);
 }
 
 template <class Real>
@@ -233,19 +257,36 @@ std::size_t BasicTable<Real>::bytes() const noexcept {
 }
 
 template <class Real>
-RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
+RadialPoint along(const CurveView<Real>& curve, UnitWrench direction) noexcept {
   direction = direction.magnitudes();
   const double size = std::max(direction.force, direction.moment);
   const UnitWrench scaled{direction.force / size, direction.moment / size};
+  const auto force = static_cast<Real>(scaled.force);
+  const auto moment = static_cast<Real>(scaled.moment);
+  const Real turn = moment * curve.inverse_moment_max;
+  const Real start = curve.ray_start(turn / (force * curve.inverse_force_max + turn));
   Real gauge{};
-  const CurvePoint<Real> point =
-      point_on_ray(view_, static_cast<Real>(scaled.force), static_cast<Real>(scaled.moment), Real(0), gauge);
+  const CurvePoint<Real> point = point_on_ray(curve, force, moment, start, gauge);
   // Scale by the gauge: its error is the square of the search's. The gauge is that of the scaled wrench, so that it
   // does not overflow.
   const auto length = static_cast<double>(gauge);
   return {{scaled.force / length, scaled.moment / length},
           {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
 }
+
+template <class Real>
+double gauge(const CurveView<Real>& curve, UnitWrench wrench) noexcept {
+  const auto [force, moment] = wrench.magnitudes();
+  const double turn = moment * double{curve.inverse_moment_max};
+  const double sum = force * double{curve.inverse_force_max} + turn;
+  if (!(sum > 0.0 && sum <= std::numeric_limits<double>::max())) return sum;
+  return sum * double{gauge_per_sum(curve, static_cast<Real>(turn / sum))};
+}
+
+template RadialPoint along(const CurveView<double>&, UnitWrench) noexcept;
+template RadialPoint along(const CurveView<float>&, UnitWrench) noexcept;
+template double gauge(const CurveView<double>&, UnitWrench) noexcept;
+template double gauge(const CurveView<float>&, UnitWrench) noexcept;
 
 template <class Real>
 void BasicTable<Real>::wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept {

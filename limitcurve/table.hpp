@@ -56,6 +56,12 @@ struct TableOptions {
   std::size_t preferred_bytes = 4096;
 };
 
+/// Internal: of whatever a view describes; the box has no `along`.
+template <class Real>
+[[nodiscard]] RadialPoint along(const CurveView<Real>& curve, UnitWrench direction) noexcept;
+template <class Real>
+[[nodiscard]] double gauge(const CurveView<Real>& curve, UnitWrench wrench) noexcept;
+
 /// A lookup table for real-time loops: a limit curve to a chosen tolerance, at a few nanoseconds per wrench and at most
 /// 96 KiB. `build` it before the loop; `wrench`, `along` and `gauge` do not allocate, throw or lock. Immutable; copies
 /// share the cells. Models LimitCurve.
@@ -132,8 +138,8 @@ class BasicTable {
   /// Plain data for control loops. Valid while any copy of the table exists.
   [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
 
-  /// The wrench of a slip twist, accurate to checked_error(). Ignores signs; returns 0 for a zero twist. Like `point`
-  /// and `gauge`, this is inline, so your compiler flags may change its last bits (docs/interfaces.md).
+  /// The wrench of a slip twist, accurate to checked_error(). Ignores signs; returns 0 for a zero twist. Like `point`,
+  /// this is inline, so your compiler flags may change its last bits (docs/interfaces.md).
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     twist = {arithmetic::abs(twist.slide), arithmetic::abs(twist.spin)};
     const double sum = twist.slide + twist.spin;
@@ -158,11 +164,11 @@ class BasicTable {
     return {{force, moment}, {force_rate, moment_rate}};
   }
 
-  /// Where the ray through `direction` ≠ 0 meets the table's curve, and the normal there. Usually 2 to 4 evaluations,
-  /// at most 64.
-  [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
+  /// Where the ray through `direction` ≠ 0 meets the table's curve, and the normal there, to rounding. Costs about 12
+  /// look-ups, as `gauge`; next to a singularity more, at most 64 evaluations.
+  [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept { return limitcurve::along(view_, direction); }
 
-  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return gauge_along(*this, wrench); }
+  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return limitcurve::gauge(view_, wrench); }
   /// The gauges of many wrenches, faster where the processor has SIMD.
   void gauge(std::span<const UnitWrench> wrenches, std::span<double> gauges) const noexcept;
 
@@ -175,6 +181,7 @@ class BasicTable {
     TableCells cells;
     std::vector<Numbers> numbers;  // of the cells, as TableView reads them
     std::vector<std::uint16_t> cell_of_bucket;
+    std::vector<Real> ray_starts;
   };
   struct Place {
     bool outside;

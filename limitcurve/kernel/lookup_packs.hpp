@@ -34,17 +34,11 @@ template <class Isa>
   std::size_t i = 0;
   for (; i + Number::size <= count; i += Number::size) {
     const auto given = unzip<Isa>(&wrenches[i].force, Places<Isa>());
-    const Number force = abs(given[0]);
-    const Number moment = abs(given[1]);
-    const Number size = larger(force, moment);
-    const Number f = force / size;
-    const Number m = moment / size;
-    Number length;
-    static_cast<void>(point_on_ray(own, f, m, Number(0.0), length));
-    const Number sum = force + moment;
+    const Number turn = abs(given[1]) * Number(own.inverse_moment_max);
+    const Number sum = abs(given[0]) * Number(own.inverse_force_max) + turn;
     const auto is_usual = sum > Number(0.0) && sum <= Number(std::numeric_limits<double>::max());
-    const Number gauge = select(is_usual, sum / (f / length + m / length), sum);
-    *reinterpret_cast<typename Registers<double, Isa>::Unaligned*>(gauges + i) = gauge.lanes;
+    *reinterpret_cast<typename Registers<double, Isa>::Unaligned*>(gauges + i) =
+        select(is_usual, sum * gauge_per_sum(own, turn / sum), sum).lanes;
   }
   return i;
 }
