@@ -2,8 +2,8 @@
 #ifndef LIMITCURVE_FIT_H
 #define LIMITCURVE_FIT_H
 
-/* Fits of friction models to measurements, by the rules of limitcurve.h. Link also with liblimitcurve-c-fit, a library
- * apart because it needs Ceres. */
+/* Fits of friction models to measurements, by the rules of limitcurve.h. Link also with liblimitcurve-c-fit, which is
+ * apart because fits need Ceres. */
 
 #include "limitcurve.h"
 

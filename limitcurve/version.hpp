@@ -2,7 +2,8 @@
 #pragma once
 
 #if !(__cplusplus >= 202002L || (defined(_MSVC_LANG) && _MSVC_LANG >= 202002L))
-#error "limitcurve needs C++20"
+#error "limitcurve needs C++20; in C++11, 14 and 17 include limitcurve11.hpp of the C interface"
+#include "limitcurve11.hpp instead"  // GCC and Clang go on after #error, but not without a file
 #endif
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The header for hosts in C++11, 14 and 17, compiled and run as each.
+// A finger in C++11, 14 or 17, which slides, turns, touches another material and is pushed by an engine.
 #include "limitcurve11.hpp"
 
 #include <cmath>
