@@ -183,7 +183,17 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   solution = internal::minimise(residuals, parameters, loss);
   solution.iterations += iterations;
   const double variance = preparation.with_sigma ? 1.0 : robust ? 0.0 : internal::residual_variance(solution);
-  refuse_one_centre(residuals.common_ray(solution.values), solution, noise, preparation.with_sigma, robust);
+  // A row without force and moment is about no centre, and its distance from the curve would pass for noise.
+  double squares = 0.0;
+  std::size_t slips = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (preparation.samples[i].force == 0.0 && preparation.samples[i].moment == 0.0) continue;
+    squares += solution.residuals[i] * solution.residuals[i];
+    ++slips;
+  }
+  const double of_slips =
+      robust || slips <= free ? noise : std::min(noise, squares / static_cast<double>(slips - free));
+  refuse_one_centre(residuals.common_ray(solution.values), solution, of_slips, preparation.with_sigma, robust);
   const std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
   for (std::size_t j = 0; j < 2; ++j) {
     const double relative_error = std::sqrt(covariance[j * free + j]);

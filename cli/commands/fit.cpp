@@ -199,7 +199,8 @@ class Fit final : public Subcommand {
     constexpr std::string_view from_one = "(the first is 1)";
     const std::size_t at = text.find(from_one);
     const bool is_file = !data_.empty() && MemoryColumns::find(data_) == nullptr;
-    if (is_file && at != std::string::npos) text.replace(at, from_one.size(), "(lines of the file)");
+    if (is_file && at != std::string::npos)
+      text.replace(text.rfind(" of ", at), at + from_one.size() - text.rfind(" of ", at), " (lines of the file)");
     messages_->say("limitcurve: " + std::string(kind) + ": " + text);
   }
 
