@@ -6,10 +6,11 @@
 >>> table = lc.Table("hertz", tolerance=1e-8)
 >>> finger = lc.SoftFinger(table, mu=0.6, radius_law="constant:a=0.006", stiffness=1000, twist_stiffness=0.036)
 
-Functions that return tables (`validate`, `choose`, `fit`, `translate`, `replay`, `run`) give a dict of arrays with the
-command line's columns, which prints as a table and has its rows as attributes: fit.mu, fit.mu_r.std_error. Wrong input
-raises a ValueError with the command line's message, a failed job a RuntimeError. SI units throughout. `limitcurve.plot`
-draws with matplotlib; `limitcurve.arrays` and `limitcurve.warp` are friction for JAX, torch and kernels of Warp.
+Functions that return tables (`validate`, `choose`, `fit`, `hold`, `translate`, `replay`, `run`) give a dict of arrays
+with the command line's columns, which prints as a table and has its rows as attributes: fit.mu, fit.mu_r.std_error.
+Wrong input raises a ValueError with the command line's message, a failed job a RuntimeError. SI units throughout.
+`limitcurve.plot` draws with matplotlib; `limitcurve.arrays` and `limitcurve.warp` are friction for JAX, torch and
+kernels of Warp.
 """
 
 from ._core import (
@@ -33,7 +34,7 @@ from ._core import (
     version as __version__,
 )
 from ._radius_law import RadiusLaw
-from ._tables import Fit, choose, fit, replay, run, translate, validate
+from ._tables import Fit, choose, fit, hold, replay, run, translate, validate
 
 
 def _word(state: ContactState | Fault) -> str:
@@ -65,6 +66,7 @@ __all__ = [
     "device_damping_needed",
     "ellipse",
     "fit",
+    "hold",
     "replay",
     "require_passive",
     "run",

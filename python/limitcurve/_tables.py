@@ -153,6 +153,7 @@ def fit(
     load_model: str | None = None,
     gamma: float | None = None,
     fit_gamma: bool = False,
+    residuals: bool = False,
     largest_radius: float | None = None,
     quiet: bool = False,
 ) -> Fit:
@@ -163,22 +164,59 @@ def fit(
     units where they are not SI, {"length": "mm", "moment": "Nmm", "angle": "deg"}. Rows with a smaller load than
     `least_load` and rows with NaN are left out. Of a sensor's log, `zero` subtracts what the pauses show, a moment
     "Fx:Fy:Fz:Tx:Ty:Tz" is about the contact wherever the sensor sits, and loss="edge" needs no marks of slips.
-    Columns: parameter, value, std_error, unit, note. Warnings are Python's; none, and no notes, if `quiet`.
+    Columns: parameter, value, std_error, unit, note; with `residuals` instead the residual [standard deviations outside
+    the curve] and row of each slip. Warnings are Python's; none, and no notes, if `quiet`.
 
     >>> import limitcurve as lc
     >>> table = lc.fit("ellipse", law="hertz", quiet=True)
     >>> [str(name) for name in table["parameter"]]
     ['force_max', 'moment_max']
     """
-    options = dict(locals(), covariance=data is not None and model != "friction")
+    options = dict(locals(), covariance=data is not None and model != "friction" and not residuals)
     notes: list[str] = []
     found = _run(["fit", options.pop("model")], options, notes)
     rows = [found.pop(name) for name in list(found) if name.startswith("covariance_")]
     result = Fit(found)
     result.covariance = np.array(rows) if rows else None
-    result.note = str(found["note"][0])
+    result.note = "" if residuals else str(found["note"][0])
     result.notes = notes
     return result
+
+
+@_check_keywords
+def hold(
+    law: str | Law | None = None,
+    radius_law: str | None = None,
+    mu: float | None = None,
+    *,
+    force: ArrayLike | None = None,
+    moment: float | None = None,
+    data: Data | None = None,
+    columns: Mapping[str, str] | None = None,
+    units: Mapping[str, str] | None = None,
+    least_load: float | None = None,
+    zero: bool = False,
+    mu_r: float | None = None,
+    gamma: float | None = None,
+    curve: str | None = None,
+    patch: str | Patch | None = None,
+    fingers: int | None = None,
+    mass: float | None = None,
+    offset: float | None = None,
+    down: ArrayLike | None = None,
+    gravity: float | None = None,
+) -> Columns:
+    """The smallest load [N] that carries a force and a moment without slip: of one wrench, of each row of `data`, or of
+    an object held by `fingers`.
+
+    `limitcurve hold --help` explains the columns. `columns`, `units`, `least_load` and `zero` are as in `fit`.
+
+    >>> import limitcurve as lc
+    >>> table = lc.hold("hertz", "constant:a=0.006", mu=0.6, force=1.2, moment=0)
+    >>> round(float(table["hold_load"][0]), 9)
+    2.0
+    """
+    return run("hold", **locals())
 
 
 @_check_keywords

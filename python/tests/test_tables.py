@@ -67,6 +67,8 @@ def test_what_a_fit_says(data, capfd):
     with pytest.warns(UserWarning, match="are the data in metres?") as caught:
         lc.fit("ratio", {**slips, "moment": 1000 * slips["moment"]})
     assert caught[0].filename == __file__
+    residuals = lc.fit("ellipse", slips, quiet=True, residuals=True)
+    assert list(residuals) == ["residual", "row"] and residuals.covariance is None
     assert lc.fit("ratio", slips, quiet=True).notes == [] and lc.fit("ellipse", law="hertz").covariance is None
     assert capfd.readouterr().err == ""
     assert command_columns(lc.run("fit", "ratio", data=slips, covariance=True,
@@ -254,11 +256,8 @@ def test_objects_from_numbers_stand_for_texts():
                         (lc.Patch.rectangle(0.02, 0.01).orthotropic(2, 0.5), "rectangle:x=0.02,y=0.01,mx=2,my=0.5")):
         assert lc.validate(patch=[patch]) == lc.validate(patch=text) and lc.fit(
             "friction", push, patch=patch, quiet=True) == lc.fit("friction", push, patch=text, quiet=True)
-        assert lc.run("hold", patch=patch, force=[1, 2], moment=1e-3, mu=0.6) == lc.run("hold",
-                                                                                        patch=text,
-                                                                                        force=[1, 2],
-                                                                                        moment=1e-3,
-                                                                                        mu=0.6)
+        assert lc.hold(patch=patch, force=[1, 2], moment=1e-3, mu=0.6) == lc.run(
+            "hold", patch=text, force=[1, 2], moment=1e-3, mu=0.6)
     assert lc.run("patch", patch=points, twists={
         "vx": [1],
         "vy": [1],
