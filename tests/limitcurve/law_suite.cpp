@@ -237,14 +237,8 @@ std::vector<std::string> tested_laws() {
   return laws;
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryLaw, LawSuite, testing::ValuesIn(tested_laws()), [](const auto& tested) {
-  std::string name = tested.param;
-  for (char& c : name) {
-    if (c == '-') c = 'm';
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  }
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(EveryLaw, LawSuite, testing::ValuesIn(tested_laws()),
+                         [](const auto& tested) { return test_name(tested.param); });
 
 }  // namespace
 

@@ -98,14 +98,17 @@ void expect_round_trip(const Curve& curve, const char* what) {
   std::mt19937_64 random(77);
   std::uniform_real_distribution<double> decade(-6.0, 6.0);
   std::uniform_real_distribution<double> angle(0.01, 1.56);
-  for (const char* text : radius_laws) {
-    const RadiusLaw radius_law = RadiusLaw::parse(text);
+  // Measured radii may even shrink a little.
+  std::vector<RadiusLaw> all{RadiusLaw::sampled(
+      std::array{LoadSample{0.5, 0.0021}, LoadSample{2.0, 0.0029}, LoadSample{3.0, 0.0028}, LoadSample{9.0, 0.0035}})};
+  for (const char* text : radius_laws) all.push_back(RadiusLaw::parse(text));
+  for (const RadiusLaw& radius_law : all) {
     for (int i = 0; i < 100; ++i) {
       const double load = std::pow(10.0, decade(random));
       const LoadPoint point =
           load_point(curve, {mu, radius_law}, load, std::tan(angle(random)) * radius_law.radius(load));
       EXPECT_NEAR(load_to_hold(curve, {mu, radius_law}, point.force, point.moment) / load, 1.0, 1e-12)
-          << what << ' ' << text << ' ' << load << ' ' << point.cor;
+          << what << ' ' << load << ' ' << point.cor;
     }
   }
 }
@@ -116,36 +119,6 @@ TEST(LoadToHold, IsTheLoadOfThePCurveThroughTheWrench) {
   expect_round_trip(Ellipse(1.0, 0.6), "ellipse");
   expect_round_trip(box(1.0, 0.6), "box");
   expect_round_trip(diamond(1.0, 0.6), "diamond");
-}
-
-/// Against plain bisection on the gauge, for arbitrary wrenches.
-void expect_bisection(const RadiusLaw& radius_law) {
-  const ExactCurve curve(uniform());
-  std::mt19937_64 random(78);
-  std::uniform_real_distribution<double> decade(-4.0, 2.0);
-  for (int i = 0; i < 50; ++i) {
-    const double force = std::pow(10.0, decade(random));
-    const double moment = 1e-3 * std::pow(10.0, decade(random));
-    double low = 0.0;
-    double high = 1e12;
-    for (int step = 0; step < 200; ++step) {
-      const double middle = step < 60 && low > 0.0 ? std::sqrt(low * high) : 0.5 * (low + high);
-      const double scale = mu * middle;
-      (curve.gauge({force / scale, moment / (scale * radius_law.radius(middle))}) > 1.0 ? low : high) = middle;
-    }
-    const double held = load_to_hold(curve, {mu, radius_law}, force, moment);
-    EXPECT_NEAR(held / high, 1.0, 1e-12) << force << ' ' << moment;
-  }
-}
-
-TEST(LoadToHold, IsWhatBisectionFinds) {
-  expect_bisection(RadiusLaw::hertz(0.008, 2e5));
-}
-
-TEST(LoadToHold, IsWhatBisectionFindsForASampledRadius) {
-  // Measured radii may even shrink a little.
-  expect_bisection(RadiusLaw::sampled(
-      std::array{LoadSample{0.5, 0.0021}, LoadSample{2.0, 0.0029}, LoadSample{3.0, 0.0028}, LoadSample{9.0, 0.0035}}));
 }
 
 TEST(LoadToHold, NeedsNoRadiusWhereTheMomentCoefficientIsKnown) {

@@ -20,12 +20,6 @@ std::string complaint_about(const std::string& text) {
   return complaint([&] { RadiusLaw::parse(text); });
 }
 
-TEST(RadiusLaw, ConstantIsConstant) {
-  const RadiusLaw law = RadiusLaw::parse("constant:a=0.005");
-  for (const double load : {0.0, 1e-9, 1.0, 1e9}) EXPECT_EQ(law.radius(load), 0.005);
-  EXPECT_EQ(law.growth(7.0), 1.0);
-}
-
 /// Johnson, Contact Mechanics, eq. 4.22: a³ = 3PR/(4E*).
 TEST(RadiusLaw, HertzCubes) {
   const RadiusLaw law = RadiusLaw::parse("hertz:R=0.008,E=2e5");

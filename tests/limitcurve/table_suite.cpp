@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What every law's table keeps, at every tolerance.
 #include "limitcurve/laws.hpp"
+#include "special_values.hpp"
 #include "table_errors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <ostream>
@@ -118,13 +118,8 @@ std::vector<TableCase> cases() {
   return all;
 }
 
-std::string case_name(const testing::TestParamInfo<TableCase>& info) {
-  std::string name = info.param.law;
-  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Laws, TableSuite, testing::ValuesIn(cases()), case_name);
+INSTANTIATE_TEST_SUITE_P(Laws, TableSuite, testing::ValuesIn(cases()),
+                         [](const auto& tested) { return test::test_name(tested.param.law); });
 
 }  // namespace
 }  // namespace limitcurve

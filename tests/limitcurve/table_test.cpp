@@ -140,32 +140,6 @@ TEST(Table, CheckedErrorHoldsBetweenRepresentablePlaces) {
   }
 }
 
-struct NamedCurve {
-  const char* name;
-  std::function<UnitWrench(SlipTwist)> exact;
-  Table table;
-};
-
-TEST(Table, TakesAnyCurveWhoseNormalTurnsSmoothly) {
-  const auto named = [](const char* name, const auto& curve, double tolerance) {
-    return NamedCurve{name, [curve](SlipTwist twist) { return curve.wrench(twist); },
-                      Table::build(curve, tolerance, {.name = name})};
-  };
-  for (const NamedCurve& curve : {named("ellipse", Ellipse(1.2, 0.5), 1e-13),
-                                  named("sharp superellipse", test::Superellipse{1.1, 0.58, 1.725}, 1e-13),
-                                  named("blunt superellipse", test::Superellipse{1.0, 0.58, 3.0}, 1e-8),
-                                  named("wide ellipse", Ellipse(2.0, 30.0), 1e-10)}) {
-    SCOPED_TRACE(curve.name);
-    EXPECT_EQ(curve.table.law_name(), curve.name);
-    const double scale = std::max(curve.exact({1.0, 0.0}).force, curve.exact({0.0, 1.0}).moment);
-    EXPECT_LE(curve.table.checked_error(), curve.table.tolerance() * scale);
-    EXPECT_LE(worst_error(curve.table, curve.exact, 10000), curve.table.checked_error());
-    EXPECT_EQ(curve.table.wrench({1.0, 0.0}), curve.exact({1.0, 0.0}));
-    EXPECT_EQ(curve.table.wrench({0.0, 1.0}), curve.exact({0.0, 1.0}));
-    expect_convex_and_smooth(curve.table);
-  }
-}
-
 TEST(FloatTable, CheckedErrorHoldsInItsOwnArithmetic) {
   for (const char* name : {"hertz", "uniform", "flat-punch", "cone", "power:n=-0.9", "xydas-kao:k=3",
                            "gaussian:sigma=1e-3", "gaussian:sigma=1e3"}) {

@@ -29,6 +29,10 @@ namespace {
 
 constexpr std::array<double, 12> cors{0.0, 1e-6, 0.1, 0.37, 0.5, 0.75, 0.9, 1.0, 1.1, 2.0, 30.0, 1e6};
 
+double hertz_pressure(double r) {
+  return r < 1.0 ? std::sqrt((1.0 - r) * (1.0 + r)) : 0.0;
+}
+
 /// Unevenly spaced samples of a profile, the radii in millimetres and the pressures in any unit.
 template <class Profile>
 std::vector<PressureSample> sampled(Profile&& profile, std::size_t count, double noise) {
@@ -55,13 +59,13 @@ void expect_within_stated_error(const PressureLaw& law, const PressureLaw& truth
 }
 
 TEST(Samples, TwoHundredOfAHertzProfileAreHertzWithinTheirStatedError) {
-  const Law law = samples(sampled([](double r) { return std::sqrt((1.0 - r) * (1.0 + r)); }, 200, 0.0), "hertz.csv");
+  const Law law = samples(sampled(hertz_pressure, 200, 0.0), "hertz.csv");
   expect_within_stated_error(*law, *hertz(), 5e-4);
 }
 
 // The contact ends where its pressure does: a sensor's line goes on with rows of zero, or of noise below it.
 TEST(Samples, RowsWithoutPressureAtTheEndAreNoContact) {
-  std::vector<PressureSample> profile = sampled([](double r) { return std::sqrt((1.0 - r) * (1.0 + r)); }, 50, 0.0);
+  std::vector<PressureSample> profile = sampled(hertz_pressure, 50, 0.0);
   const double end = profile.back().radius;
   const Law law = samples(profile, "hertz.csv");
   std::vector<PressureSample> jump = profile;
@@ -115,7 +119,7 @@ TEST(Samples, OfAFormulaAreExactWhereTheirRadiiCrowdAtTheRim) {
     std::vector<PressureSample> rows;
     for (int i = 0; i <= last; ++i) {
       const double radius = i < last ? radius_of(i) : 1.0;
-      rows.push_back({radius, std::sqrt((1.0 - radius) * (1.0 + radius))});
+      rows.push_back({radius, hertz_pressure(radius)});
     }
     const Law law = samples(rows, "formula.csv");
     double error = 0.0;
@@ -178,10 +182,6 @@ TEST(Samples, ARunOfTwoSamplesHasAnErrorToo) {
   const auto early = [](Extended r) { return r < 0.5 ? (r < 0.01 ? 2.0 : 1.5) : (r < 0.51 ? 1.0 : 1e-9); };
   expect_within_stated_error(*samples(jump, "jump.csv"),
                              *test::law_of_function("early", early, {0, 0.01L, 0.5L, 0.51L, 1}), 0.65);
-}
-
-double hertz_pressure(double r) {
-  return r < 1.0 ? std::sqrt((1.0 - r) * (1.0 + r)) : 0.0;
 }
 
 /// A sensor's line of 53 rows to 26 mm, over a Hertz contact of 6 mm with a peak of 1.
@@ -384,15 +384,10 @@ TEST(Samples, TheErrorOfATableIsHeldByItsFilesChecksum) {
   expect_refusal("", "expected '# profile_error: …'");
 }
 
-/// Hertz with noise, which the cubics follow.
-std::vector<PressureSample> many_samples(std::size_t count, double noise) {
-  return sampled([](double r) { return std::sqrt((1.0 - r) * (1.0 + r)); }, count, noise);
-}
-
 // Intervals of pieces away from the COR are integrated together; tanh-sinh integrates each piece alone.
 TEST(Samples, OfManyPiecesHaveTheWrenchThatEachPieceAloneGives) {
   for (const std::size_t count : {5U, 60U, 300U}) {
-    const Law law = samples(many_samples(count, 0.3), "noisy.csv");
+    const Law law = samples(sampled(hertz_pressure, count, 0.3), "noisy.csv");
     std::vector<double> places(cors.begin(), cors.end());
     for (const std::size_t i : {1U, 2U, 3U}) {
       const auto at = static_cast<double>(law->breaks()[i * count / 5]);
@@ -414,7 +409,7 @@ TEST(Samples, OfManyPiecesHaveTheWrenchThatEachPieceAloneGives) {
 
 // It took 80 000: fifteen around each sample for each cell that was tried.
 TEST(Samples, ATableOfAThousandTakesFewWrenches) {
-  const auto law = std::make_shared<test::CountedLaw>(samples(many_samples(1000, 0.0), "hertz.csv"));
+  const auto law = std::make_shared<test::CountedLaw>(samples(sampled(hertz_pressure, 1000, 0.0), "hertz.csv"));
   EXPECT_LE(Table::build(law, 1e-8).checked_error(), 1e-8);
   EXPECT_LT(law->count, 15000U);
 }

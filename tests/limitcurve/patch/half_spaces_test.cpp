@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
 #include <random>
 #include <string>
@@ -19,64 +18,20 @@
 namespace limitcurve::test {
 namespace {
 
-/// A patch, and the power of a twist about the origin by brute force, which is accurate to `error`.
+/// A patch, and the shares of 8, 14, 32, 62, 128 rows: by a prototype in another language; 0 where it has none.
 struct HalfSpaceCase {
   const char* name;
   Patch patch;
-  std::function<double(const PatchTwist&)> power;
-  double error;
-  std::array<double, 5> shares;  ///< of 8, 14, 32, 62, 128 rows: by a prototype in another language
+  std::array<double, 5> shares;
 };
-
-/// Points that have the power of pressures in small squares, by their sum.
-std::function<double(const PatchTwist&)> sum_of(std::vector<PatchLoad> points) {
-  double load = 0.0;
-  for (const PatchLoad& point : points) load += point.load;
-  return [points, load](const PatchTwist& t) {
-    double sum = 0.0;
-    for (const auto& [x, y, weight] : points) sum += weight * std::hypot(t.vx - t.omega * y, t.vy + t.omega * x);
-    return sum / load;
-  };
-}
-
-/// Squares of side `pitch` whose middles have a pressure.
-std::vector<PatchLoad> squares(double x, double y, double pitch,
-                               const std::function<double(double, double)>& pressure) {
-  std::vector<PatchLoad> points;
-  for (double u = -x + pitch / 2; u < x; u += pitch) {
-    for (double v = -y + pitch / 2; v < y; v += pitch) {
-      if (pressure(u, v) > 0.0) points.push_back({u, v, pressure(u, v)});
-    }
-  }
-  return points;
-}
 
 std::vector<HalfSpaceCase> half_space_cases() {
   const std::vector<PatchLoad> uneven{{0.1, 0.05, 1.0}, {0.1, -0.05, 2.0}, {-0.1, 0.02, 0.5}};
-  const auto in_ell = [](double x, double y) {
-    return x > 0 && y > 0 && x < 4 && y < 3 && (x < 1 || y < 1) ? 1.0 : 0.0;
-  };
-  const auto everywhere = [](double, double) { return 1.0; };
-  const auto hertzian = [](double x, double y) { return std::sqrt(std::max(0.0, 1.0 - x * x - y * y)); };
-  const auto rectangle = sum_of(squares(0.1, 0.05, 0.2 / 120, everywhere));
-  return {{"disc",
-           Patch::ellipse(hertz(), 1.0, 1.0),
-           sum_of(squares(1, 1, 1.0 / 60, hertzian)),
-           2e-4,
-           {0.612, 0.799, 0.902, 0.946, 0.972}},
-          {"rectangle", Patch::rectangle(0.2, 0.1), rectangle, 2e-4, {0.609, 0.790, 0.891, 0.937, 0.962}},
-          {"L beside the origin", Patch::polygon(ell), sum_of(squares(4, 4, 1.0 / 20, in_ell)), 1e-3, {0, 0, 0, 0, 0}},
-          {"uneven points", Patch::points(uneven), sum_of(uneven), 1e-13, {0.502, 0.581, 0.701, 0.824, 0.895}},
-          {"orthotropic",
-           Patch::rectangle(0.2, 0.1).orthotropic(1.0, 0.5),
-           [points = squares(0.1, 0.05, 0.2 / 120, everywhere)](const PatchTwist& t) {
-             double sum = 0.0;
-             for (const auto& [x, y, weight] : points)
-               sum += std::hypot(t.vx - t.omega * y, 0.5 * (t.vy + t.omega * x));
-             return sum / static_cast<double>(points.size());
-           },
-           2e-4,
-           {0, 0, 0.902, 0.946, 0}}};
+  return {{"disc", Patch::ellipse(hertz(), 1.0, 1.0), {0.612, 0.799, 0.902, 0.946, 0.972}},
+          {"rectangle", Patch::rectangle(0.2, 0.1), {0.609, 0.790, 0.891, 0.937, 0.962}},
+          {"L beside the origin", Patch::polygon(ell), {0, 0, 0, 0, 0}},
+          {"uneven points", Patch::points(uneven), {0.502, 0.581, 0.701, 0.824, 0.895}},
+          {"orthotropic", Patch::rectangle(0.2, 0.1).orthotropic(1.0, 0.5), {0, 0, 0.902, 0.946, 0}}};
 }
 
 double times(const HalfSpace& row, const PatchWrench& wrench) {
@@ -89,35 +44,23 @@ double largest(const HalfSpaces& half_spaces, const PatchWrench& wrench) {
   return most;
 }
 
-// A wrench that satisfies the rows is within every tangent plane of the limit surface, whose powers are summed by brute
-// force; and so it is by the patch's own gauge, exactly. A million wrenches a patch by night.
+// By the patch's own gauge. A million wrenches a patch by night.
 TEST(HalfSpaces, NoWrenchInsideSlips) {
-  const int planes = repetitions(studies_are_whole() ? 2000 : 400, 50);
   const int wrenches = repetitions(studies_are_whole() ? 1000000 : 4000);
   for (const HalfSpaceCase& one : half_space_cases()) {
     const HalfSpaces inside = half_spaces(one.patch, 32);
     std::mt19937_64 bits(3);
     std::normal_distribution<double> normal;
     const PatchPoint centre = one.patch.centre();
-    std::vector<HalfSpace> tangents;
-    for (int i = 0; i < planes; ++i) {
-      PatchTwist t{normal(bits), normal(bits), normal(bits) / one.patch.moment_ratio()};
-      t = {t.vx + t.omega * centre.y, t.vy - t.omega * centre.x, t.omega};
-      const double power = one.power(t);
-      tangents.push_back({t.vx / power, t.vy / power, t.omega / power});
-    }
-    double beyond = 0.0;
     double slips = 0.0;
     for (int i = 0; i < wrenches; ++i) {
       PatchWrench w{normal(bits), normal(bits), normal(bits) * one.patch.moment_ratio()};
       w.moment += centre.x * w.fy - centre.y * w.fx;
       const double size = largest(inside, w) / (i % 2 == 0 ? 1.0 : std::generate_canonical<double, 53>(bits));
       w = {w.fx / size, w.fy / size, w.moment / size};
-      for (const HalfSpace& tangent : tangents) beyond = std::max(beyond, times(tangent, w));
       slips = std::max(slips, load_to_hold(one.patch, 1.0, w));
     }
     for (const PatchWrench& vertex : inside.vertices) slips = std::max(slips, load_to_hold(one.patch, 1.0, vertex));
-    EXPECT_LE(beyond, 1.0 + one.error) << one.name;
     EXPECT_LE(slips, 1.0) << one.name;
     EXPECT_GE(slips, 0.95) << one.name;  // a vertex reaches the limit
   }

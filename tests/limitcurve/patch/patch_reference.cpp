@@ -262,36 +262,22 @@ PatchFriction image_by_squares(std::span<const double> pressures, std::size_t co
   }
   mean_x /= total;
   mean_y /= total;
-  const Wide cx = -Wide(twist.vy) / twist.omega;
-  const Wide cy = Wide(twist.vx) / twist.omega;
-  using Rule = boost::math::quadrature::gauss<Wide, 6>;
-  Means sum;
+  PatchFriction sum{};
   for (std::size_t i = 0; i < pressures.size(); ++i) {
     if (pressures[i] == 0.0) continue;
-    const Wide share = pressures[i] / total;
-    const Wide x = pixel * static_cast<Wide>(i % columns) - mean_x - cx;
-    const Wide y = -pixel * static_cast<Wide>(i / columns) - mean_y - cy;
-    const Wide half = Wide(pixel) / 2;
-    Means part;
-    if (std::hypot(x, y) < 8 * Wide(pixel)) {
-      const std::array<std::array<Wide, 2>, 4> corners{
-          {{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}}};
-      for (std::size_t k = 0; k < 4; ++k) {
-        part.add(1 / (4 * half * half),
-                 triangle(corners[k][0], corners[k][1], corners[(k + 1) % 4][0], corners[(k + 1) % 4][1]));
-      }
-    } else {
-      for (std::size_t j = 0; j < 6; ++j) {
-        for (std::size_t k = 0; k < 6; ++k) {
-          const auto place = [](std::size_t n) { return n < 3 ? Rule::abscissa()[n] : -Rule::abscissa()[n - 3]; };
-          const Wide weight = Rule::weights()[j % 3] * Rule::weights()[k % 3] / 4;
-          part.add(weight, at_place(x + half * place(j), y + half * place(k)));
-        }
-      }
-    }
-    sum.add(share, part);
+    const auto share = static_cast<double>(pressures[i] / total);
+    const auto x = static_cast<double>(pixel * static_cast<Wide>(i % columns) - mean_x);
+    const auto y = static_cast<double>(-pixel * static_cast<Wide>(i / columns) - mean_y);
+    const double half = pixel / 2;
+    const std::array<PatchPoint, 4> corners{
+        {{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}}};
+    const auto [power, wrench, error] = polygon_by_triangles(corners, twist, {0, 0});
+    sum.power += share * power;
+    sum.wrench.fx += share * wrench.fx;
+    sum.wrench.fy += share * wrench.fy;
+    sum.wrench.moment += share * wrench.moment;
   }
-  return from_means(sum, twist, cx, cy, 0, 0);
+  return sum;
 }
 
 double difference(const PatchFriction& one, const PatchFriction& other, double moment_ratio) {

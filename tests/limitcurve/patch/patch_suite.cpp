@@ -246,41 +246,6 @@ std::string test_name(const ::testing::TestParamInfo<Kind>& kind) {
 
 INSTANTIATE_TEST_SUITE_P(Patches, EveryPatch, ::testing::ValuesIn(kinds()), test_name);
 
-TEST(PatchSymmetry, TurnedAndMirroredPatchesHaveTurnedAndMirroredWrenches) {
-  const std::vector<PatchPoint> shape{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};
-  const double c = std::cos(0.7);
-  const double s = std::sin(0.7);
-  std::vector<PatchPoint> turned;
-  std::vector<PatchPoint> mirrored;
-  for (const auto& [x, y] : shape) {
-    turned.push_back({c * x - s * y, s * x + c * y});
-    mirrored.push_back({-x, y});
-  }
-  const Patch one = Patch::polygon(shape);
-  const Patch two = Patch::polygon(turned);
-  const Patch three = Patch::polygon(mirrored);
-  for (const PatchTwist& twist : random_twists(one, 100)) {
-    const PatchFriction first = one.evaluate(twist);
-    const PatchFriction second = two.evaluate({c * twist.vx - s * twist.vy, s * twist.vx + c * twist.vy, twist.omega});
-    EXPECT_NEAR(second.power / first.power, 1.0, 1e-14);
-    EXPECT_NEAR(second.wrench.fx, c * first.wrench.fx - s * first.wrench.fy, 1e-14);
-    EXPECT_NEAR(second.wrench.moment, first.wrench.moment, 1e-14);
-    const PatchFriction third = three.evaluate({-twist.vx, twist.vy, -twist.omega});
-    EXPECT_NEAR(third.wrench.fx, -first.wrench.fx, 1e-14);
-    EXPECT_NEAR(third.wrench.moment, -first.wrench.moment, 1e-14);
-  }
-  // An ellipse along y is that along x, turned by a right angle.
-  const Patch along_x = Patch::ellipse(uniform(), 3.0, 1.0);
-  const Patch along_y = Patch::ellipse(uniform(), 1.0, 3.0);
-  for (const PatchTwist& twist : random_twists(along_x, 50)) {
-    const PatchWrench first = along_x.wrench(twist);
-    const PatchWrench second = along_y.wrench({-twist.vy, twist.vx, twist.omega});
-    EXPECT_NEAR(second.fy, first.fx, 1e-13);
-    EXPECT_NEAR(second.fx, -first.fy, 1e-13);
-    EXPECT_NEAR(second.moment, first.moment, 1e-13);
-  }
-}
-
 // Points on lines and at corners, where a wrench along an axis or across the line is a corner, an edge or the middle of
 // a face of the limit surface; as found, and moved, turned, scaled and in another order.
 TEST(PatchSymmetry, GaugesAtCornersAndInFacesOfTheLimitSurface) {
@@ -333,35 +298,6 @@ TEST(PatchSymmetry, GaugesAtCornersAndInFacesOfTheLimitSurface) {
           check({others.fx + fx, others.fy + fy, others.moment + x * fy - y * fx}, 1.0, "face ");
         }
       }
-    }
-  }
-}
-
-TEST(PatchOrigin, TwistsOfTheOriginGiveTheSameForces) {
-  const auto made = [](double x, double y) {
-    const std::vector<PatchLoad> loads{{x - 0.04, y - 0.04, 1}, {x + 0.04, y - 0.02, 2}, {x - 0.04, y + 0.08, 1}};
-    const std::vector<PatchPoint> corners{
-        {x, y}, {x + 0.04, y}, {x + 0.04, y + 0.01}, {x + 0.01, y + 0.01}, {x + 0.01, y + 0.03}, {x, y + 0.03}};
-    return std::vector{Patch::points(loads), Patch::points(loads).smoothed(1e-3), Patch::polygon(corners),
-                       Patch::polygon(corners).orthotropic(0.5, 1.5)};
-  };
-  const std::vector<Patch> near = made(0.0, 0.0);
-  const std::vector<Patch> away = made(3.0, -2.0);
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    const PatchPoint c = away[i].centre();
-    EXPECT_NEAR(c.x, near[i].centre().x + 3.0, 1e-14);
-    EXPECT_NEAR(c.y, near[i].centre().y - 2.0, 1e-14);
-    for (const PatchTwist& twist : random_twists(near[i], 50)) {
-      const PatchFriction here = near[i].evaluate(twist);
-      const PatchFriction there =
-          away[i].about_origin({twist.vx + twist.omega * c.y, twist.vy - twist.omega * c.x, twist.omega});
-      // The twist of a point 3 m away has itself lost digits.
-      const double lost = 1e-13 + 4e-15 * std::fabs(twist.omega) / here.power * (1.0 + 3.6 / near[i].moment_ratio());
-      EXPECT_NEAR(there.power / here.power, 1.0, lost) << i;
-      const double arm = 1e-11 * (3.6 + near[i].moment_ratio());
-      EXPECT_NEAR(there.wrench.moment, here.wrench.moment + c.x * here.wrench.fy - c.y * here.wrench.fx,
-                  arm + 3.6 * lost)
-          << i;
     }
   }
 }
