@@ -250,24 +250,6 @@ TEST(SoftFinger, StaysWithinTheCurveUnderNormalsOfNearlyUnitLength) {
   }
 }
 
-TEST(FingerParameters, AreValidated) {
-  const auto rejects = [](auto change, const char* parameter) {
-    FingerParameters with = parameters();
-    change(with);
-    expect_mention(complaint([&] { SoftFinger(Ellipse::through_intercepts(0.5), with); }), parameter);
-  };
-  for (const double bad : {-1.0, nan, infinity}) {
-    rejects([&](FingerParameters& with) { with.mu = bad; }, "mu");
-    rejects([&](FingerParameters& with) { with.mu_dynamic = bad; }, "mu_dynamic");
-    rejects([&](FingerParameters& with) { with.mu_r = bad; }, "mu_r");
-    rejects([&](FingerParameters& with) { with.stiffness = bad; }, "stiffness");
-    rejects([&](FingerParameters& with) { with.twist_stiffness = bad; }, "twist_stiffness");
-  }
-  rejects([](FingerParameters& with) { with.stiffness = 0.0; }, "stiffness");
-  rejects([](FingerParameters& with) { with.twist_stiffness = 0.0; }, "twist_stiffness");
-  rejects([](FingerParameters& with) { with.mu_dynamic = 0.7; }, "mu_dynamic");
-}
-
 TEST(FingerParameters, ABoxGoesWithTheClosestPointOnly) {
   const Box limits = box(1.0, 0.6);
   EXPECT_NO_THROW(SoftFinger(limits, parameters(), Projection::closest_point));

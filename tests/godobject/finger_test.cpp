@@ -85,11 +85,6 @@ TEST(SoftFinger, SlipBeginsOnTheCurve) {
   });
 }
 
-TEST(FingerCurve, MomentRatioIsMomentInterceptOverForceIntercept) {
-  EXPECT_NEAR(FingerCurve(Ellipse(2.0, 0.6)).moment_ratio(), 0.3, 1e-15);
-  EXPECT_NEAR(FingerCurve(box(0.5, 3.0)).moment_ratio(), 6.0, 1e-15);
-}
-
 TEST(FingerCurve, OfAViewKeepsItsOwner) {
   auto table = std::make_shared<const Table>(Table::build(hertz(), 1e-6));
   const std::weak_ptr<const Table> watch = table;
@@ -147,14 +142,6 @@ TEST(SoftFinger, MomentExponentMakesTheLimitGrowWithTheLoad) {
       }
     }
   }
-  FingerParameters with = parameters();
-  with.gamma = 0.1;
-  EXPECT_THROW(exact_hertz_finger(with), std::invalid_argument);  // of which coefficient?
-  with.mu_r = 0.004;
-  with.gamma = 1.1;
-  EXPECT_THROW(exact_hertz_finger(with), std::invalid_argument);
-  with.gamma = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(exact_hertz_finger(with), std::invalid_argument);
 }
 
 TEST(SoftFinger, DynamicLimitActsWhileItSlips) {

@@ -148,7 +148,15 @@ TEST(Host, BadParametersChangeNothing) {
   };
   refuses([](FingerParameters& bad) { bad.mu_dynamic = 0.7; }, "mu_dynamic");
   refuses([](FingerParameters& bad) { bad.stiffness = 0.0; }, "stiffness");
-  refuses([](FingerParameters& bad) { bad.twist_stiffness = nan; }, "twist_stiffness");
+  refuses([](FingerParameters& bad) { bad.twist_stiffness = 0.0; }, "twist_stiffness");
+  for (const double number : {-1.0, nan, infinity}) {
+    refuses([&](FingerParameters& bad) { bad.mu = number; }, "mu");
+    refuses([&](FingerParameters& bad) { bad.mu_dynamic = number; }, "mu_dynamic");
+    refuses([&](FingerParameters& bad) { bad.mu_r = number; }, "mu_r");
+    refuses([&](FingerParameters& bad) { bad.mu_r = 0.004, bad.gamma = 2.1 + number; }, "gamma");
+    refuses([&](FingerParameters& bad) { bad.stiffness = number; }, "stiffness");
+    refuses([&](FingerParameters& bad) { bad.twist_stiffness = number; }, "twist_stiffness");
+  }
   refuses([](FingerParameters& bad) { bad.gamma = 0.1; }, "gamma");
   refuses([](FingerParameters& bad) { bad.mu_r_dynamic = 0.1; }, "mu_r_dynamic");
   refuses([](FingerParameters& bad) { bad.mu = 0.0, bad.mu_r = 1e-3; }, "mu_r");

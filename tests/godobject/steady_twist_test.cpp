@@ -14,53 +14,6 @@ constexpr double radius = 0.005;
 constexpr double stiffness = 1000.0;
 constexpr double depth = 0.002;
 constexpr double load = stiffness * depth;
-/// Unit wrench that a finger settles at when it slides straight on and turns at a constant v/ω = c = sa for long:
-/// ninety times the give of the softer spring, which the length of the transient is counted in (docs/theory.md, "The
-/// step").
-UnitWrench settled(const FingerCurve& curve, Projection projection, double s, double kappa) {
-  const double m0 = curve.moment_ratio();
-  const double twist_stiffness = kappa * stiffness * (m0 * radius) * (m0 * radius);
-  SoftFinger finger(curve, parameters(mu, radius, stiffness, twist_stiffness), projection);
-  const double give = std::max(mu * load / stiffness, mu * load * m0 * radius / twist_stiffness * radius);
-  const double u = SlipTwist::about_cor(s).spin_fraction();
-  // Two radians a step at most, or it would be taken for a wrapped angle.
-  const double step = std::min(0.1 * give, 2.0 * radius / u);
-  const int count = static_cast<int>(90.0 * give / step);
-  for (int i = 0; i <= count; ++i) {
-    finger.update(on_plane(i * step * (1.0 - u), 0.0, depth), i * step * u / radius);
-  }
-  EXPECT_EQ(finger.output().state, ContactState::slip);
-  return unit_wrench(finger.state(), mu, radius);
-}
-
-/// Distance of two wrenches in the normalised plane x = f, y = m/m₀.
-double distance(UnitWrench a, UnitWrench b, double m0) {
-  return std::hypot(a.force - b.force, (a.moment - b.moment) / m0);
-}
-
-TEST(SteadyTwist, ClosestPointSettlesAtTheCurvesWrench) {
-  for (const Law& law : {hertz(), uniform(), flat_punch()}) {
-    const ExactCurve exact(law);
-    const FingerCurve curve = exact_curve(law);
-    for (const double kappa : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
-      for (const double s : {1e-3, 0.3, 1.0, 4.0, 1e3}) {
-        const UnitWrench expected = exact.wrench(SlipTwist::about_cor(s));
-        EXPECT_LT(distance(settled(curve, Projection::closest_point, s, kappa), expected, exact.moment_ratio()), 1e-9)
-            << law->name() << " kappa " << kappa << " s " << s;
-      }
-    }
-  }
-}
-
-TEST(SteadyTwist, RadialSettlesAtTheStiffnessRatio) {
-  for (const double kappa : {0.1, 1.0, 10.0}) {
-    const FingerCurve curve = exact_curve(hertz());
-    const double m0 = curve.moment_ratio();
-    // F/M = (k_l/k_r) c for any curve: f/m = s/(κ m₀²).
-    const UnitWrench found = settled(curve, Projection::radial, 1.0, kappa);
-    EXPECT_NEAR(found.force / found.moment * kappa * m0 * m0, 1.0, 1e-9);
-  }
-}
 
 /// A finger whose device turns about a centre fixed in space: wrench and COR that it settles at, and by how much the
 /// force lags the device.
@@ -71,18 +24,16 @@ struct Trailing {
   double lag;     ///< angle from the device's velocity to the force that drags the proxy [rad]
 };
 
-/// Hertz by its closed form (docs/theory.md), for c ≤ a: F(c) and F′(c), with M′ = −c F′.
+/// F(c), M(c) and F′(c), with M′ = −c F′.
+const Law pressure = hertz();
 double hertz_force(double cor) {
-  const double s = cor / radius;
-  return mu * load * 3.0 * std::numbers::pi / 8.0 * s * (1.0 - 0.25 * s * s);
+  return mu * load * pressure->forces(cor / radius).force;
 }
 double hertz_moment(double cor) {
-  const double square = cor * cor / (radius * radius);
-  return mu * load * radius * 3.0 * std::numbers::pi / 16.0 * (1.0 - square + 0.375 * square * square);
+  return mu * load * radius * pressure->forces(cor / radius).moment;
 }
 double hertz_rate(double cor) {
-  const double s = cor / radius;
-  return mu * load * 3.0 * std::numbers::pi / 8.0 * (1.0 - 0.75 * s * s) / radius;
+  return mu * load * pressure->forces(cor / radius).force_slope / radius;
 }
 
 /// The law: the proxy runs on a circle of radius c′ and is dragged along its path, so that springs and damper in line,
@@ -108,9 +59,9 @@ Trailing trailing_by_law(double c, double k, double drag) {
 /// Without a damper the first one gives v, and with the last ċ′ = (ḣ·u − ωc′)/(F′(1/k + c′²/k_r)). The time unit is
 /// 1/ω.
 Trailing trailing_by_integration(double c, double k, double twist_stiffness, double drag) {
-  using State = std::array<double, 3>;
+  using State = Eigen::Array3d;
   const auto rate = [&](double t, const State& at) -> State {
-    const auto [cor, direction, speed] = at;
+    const double cor = at[0], direction = at[1], speed = at[2];
     const double behind = direction - t - 0.5 * std::numbers::pi;
     // The device's velocity along and across the force; its acceleration is (−across, along).
     const double along = c * std::cos(behind);
@@ -124,19 +75,13 @@ Trailing trailing_by_integration(double c, double k, double twist_stiffness, dou
   };
   State state{0.5 * c, 0.5 * std::numbers::pi, 0.5 * c};
   constexpr double step = 1e-3;
-  const auto moved = [](State at, const State& by, double factor) {
-    for (std::size_t i = 0; i < at.size(); ++i) at[i] += factor * by[i];
-    return at;
-  };
   constexpr int count = 20000;
   for (int i = 0; i < count; ++i) {
     const double t = step * i;
     const State first = rate(t, state);
-    const State second = rate(t + 0.5 * step, moved(state, first, 0.5 * step));
-    const State third = rate(t + 0.5 * step, moved(state, second, 0.5 * step));
-    const State fourth = rate(t + step, moved(state, third, step));
-    state =
-        moved(moved(moved(moved(state, first, step / 6.0), second, step / 3.0), third, step / 3.0), fourth, step / 6.0);
+    const State second = rate(t + 0.5 * step, state + 0.5 * step * first);
+    const State third = rate(t + 0.5 * step, state + 0.5 * step * second);
+    state += step / 6.0 * (first + 2.0 * (second + third) + rate(t + step, state + step * third));
   }
   return {state[0], hertz_force(state[0]), hertz_moment(state[0]), step * count + 0.5 * std::numbers::pi - state[1]};
 }

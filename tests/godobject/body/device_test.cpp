@@ -20,10 +20,6 @@ FingerParameters skin() {
   return parameters(0.6, 0.006, 1000.0, 0.036);
 }
 
-SoftFinger finger_of(const FingerParameters& with) {
-  return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
-}
-
 // Point 2: at 5 mm/s friction is dynamic for any resolution, rate and noise of the device. The first edition gave a
 // saw-tooth with the mean 0.449.
 TEST(Device, ASampleThatRepeatsOrIsNoisyDoesNotBringASlidingFingerToRest) {
@@ -46,7 +42,7 @@ TEST(Device, ASampleThatRepeatsOrIsNoisyDoesNotBringASlidingFingerToRest) {
     std::mt19937 random(1);
     FingerParameters with = skin();
     with.mu_dynamic = 0.3;
-    SoftFinger finger = finger_of(with);
+    SoftFinger finger = hertz_finger(with);
     const AnySurface plane(PlaneSurface{});
     double sum = 0.0;
     for (int i = 0; i < 4000; ++i) {
@@ -68,7 +64,7 @@ std::vector<double> slips_of_a_mass(double mu, double mu_dynamic, double rest_ma
   with.mu_dynamic = mu_dynamic;
   with.stiffness = 2e4;
   with.rest_margin = rest_margin;
-  SoftFinger finger = finger_of(with);
+  SoftFinger finger = hertz_finger(with);
   const double depth = 2.0 / with.stiffness;
   // The finger's position relative to the touched mass: symplectic Euler, with a step far below the contact's period.
   double place = 0.0, velocity = 0.0;
@@ -117,8 +113,8 @@ TEST(Device, ARefusedSampleLeavesTheSurfacesMemory) {
                                                             {AnySurface(CapsuleSurface(0.02, 0.01)), 0.028}};
   for (const auto& [surface, height] : surfaces) {
     for (const double bad : {1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-      SoftFinger finger = finger_of(skin());
-      SoftFinger own = finger_of(skin());  // in a loop of one's own
+      SoftFinger finger = hertz_finger(skin());
+      SoftFinger own = hertz_finger(skin());  // in a loop of one's own
       for (int i = 0; i < 8; ++i) {
         const Vector3d place(i == 3 ? bad : 0.0, 0.0, i == 3 ? 0.0 : height);
         const FingerOutput output = finger.update(surface, {place}, 1e-3);
@@ -142,7 +138,7 @@ TEST(Device, ADampedTouchDownKeepsTheMomentum) {
   with.damping = 5.0;
   for (const double gap : {1e-5, 1e-4, 2.9e-4}) {
     BodyState state;
-    Grasp grasp(body, state, AnySurface(PlaneSurface{}), {finger_of(with)});
+    Grasp grasp(body, state, AnySurface(PlaneSurface{}), {hertz_finger(with)});
     const std::vector<DevicePose> devices{{{0.0, 0.0, gap}}};
     grasp.place(state, devices);
     state.velocity.z() = 0.3;
@@ -163,7 +159,7 @@ TEST(Device, ADampedTouchDownKeepsTheMomentum) {
 TEST(Device, ADamperFollowsAClockThatJittersOrStandsStill) {
   FingerParameters with = skin();
   with.damping = 5.0;
-  SoftFinger finger = finger_of(with);
+  SoftFinger finger = hertz_finger(with);
   Random random(9);
   double last = 0.0;
   const auto load = [&](double time) { return finger.update(on_plane(0.0, 0.0, 0.05 * time), 0.0, time - last).load; };

@@ -142,26 +142,6 @@ TEST(Grasp, AFirstTouchNeedsNoGravity) {
   }
 }
 
-// Fixed fingers, no gravity: a body set in motion between them never gains energy, and what it loses to slip is
-// accounted.
-TEST(Grasp, NeverGainsEnergy) {
-  Random random(5);
-  for (int round = 0; round < repetitions(20, 2); ++round) {
-    BodyParameters body = BodyParameters::planar_block(0.1, edges, 0.0);
-    auto grasp = make_grasp(body, edges, parameters(), exact_curve(hertz()), 2);
-    grasp.place(BodyState{}, pinch(0.04, 0.002));
-    BodyState start;
-    start.velocity = {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 0.0};
-    start.angular_velocity = {0.0, 0.0, random.uniform(-30.0, 30.0)};
-    grasp.place(start, pinch(0.04, 0.002));
-    const double first = grasp.energy();
-    SCOPED_TRACE(round);
-    expect_energy_never_rises(grasp, pinch(0.04, 0.002), 2000, 1e-4);
-    EXPECT_GT(grasp.dissipated(), 0.0);
-    EXPECT_LE(grasp.dissipated(), first * (1.0 + 1e-9));
-  }
-}
-
 // Out of the grip: after the first finger came off, the second pushes a face that slides past it and turns. What a step
 // adds is more than ½θ²|F||r|, and within the bound of godobject/README.md ("Energy").
 TEST(Grasp, AFingerThatComesOffAddsWhatIsSaid) {

@@ -40,23 +40,6 @@ std::string said(const StepChoice& choice) {
   return text;
 }
 
-TEST(ChooseStep, TakesTheCheapestThatIsGoodEnough) {
-  using Tolerances = std::vector<double>;
-  for (const double tolerance : tests_are_short ? Tolerances{0.2, 1e-3} : Tolerances{1.0, 0.2, 0.05, 0.01, 1e-3}) {
-    const StepChoice choice = choose_step(scene(), tolerance);
-    const Candidate& best = chosen(choice);
-    EXPECT_LE(best.error, tolerance);
-    EXPECT_EQ(std::count_if(choice.candidates.begin(), choice.candidates.end(),
-                            [](const auto& candidate) { return candidate.chosen; }),
-              1);
-    for (const Candidate& other : choice.candidates) {
-      if (other.nanoseconds < best.nanoseconds / (1.0 + cost_tie)) {
-        EXPECT_GT(other.error, tolerance) << other.model;
-      }
-    }
-  }
-}
-
 TEST(ChooseStep, APureDragNeedsNoTorsion) {
   Scene drag = scene();
   drag.twist_rate = 0.0;
