@@ -207,22 +207,26 @@ def law_panel(figure, axes, rows, law):
     })):
         axes.plot(*steps(front, right), solid_capstyle="butt", zorder=0, **style)
     for family, of_family in rows.groups("family").items():
-        draw_family(axes, labels, family, of_family, "mean_ns")
+        by_parameter = FAMILIES[family][3]
+        points, colour = draw_family(axes, labels, family, of_family, by_parameter,
+                                     7 if FAMILIES[family][1] == "*" else 4.2)
+        for i, (point, row) in enumerate(zip(points, of_family)):
+            named = family not in ENDS_NAMED or i in (0, len(points) - 1)
+            labels.dot(*point, (parameter(row) if by_parameter else name(row)) if named else "", colour)
     labels.place()
 
 
-def draw_family(axes, labels, family, rows, cost):
+def draw_family(axes, labels, family, rows, keeps_off, marker_size):
+    """Its dots and line, which words keep off or not: the dots' places, and their colour."""
     colour, marker, dashes, by_parameter = FAMILIES[family]
-    points = [(max(row["max_error"], ROUNDING), row[cost]) for row in rows]
+    points = [(max(row["max_error"], ROUNDING), row["mean_ns"]) for row in rows]
     hollow = {"markerfacecolor": "white"} if rows[0]["kind"] != "ours" else {}
-    axes.plot(*zip(*points), marker=marker, markersize=7 if marker == "*" else 4.2, color=colour, linewidth=0.6,
+    axes.plot(*zip(*points), marker=marker, markersize=marker_size, color=colour, linewidth=0.6,
               linestyle=dashes if by_parameter else "none", zorder=3, label=LEGEND.get(family, family), **hollow)
-    draw_many(axes, labels, rows, colour)
-    if by_parameter:
+    if keeps_off:
         labels.line(*zip(*points))
-    for i, (point, row) in enumerate(zip(points, rows)):
-        named = family not in ENDS_NAMED or i in (0, len(rows) - 1)
-        labels.dot(*point, (parameter(row) if by_parameter else name(row)) if named else "", colour)
+    draw_many(axes, labels, rows, colour)
+    return points, colour
 
 
 def step_panel(figure, axes, rows):
@@ -278,19 +282,7 @@ def work_precision(data):
     error_axis(axes, 30)
     labels = Labels(figure, axes, 8.5)
     for family, of_family in rows.groups("family").items():
-        colour, marker, dashes, by_parameter = FAMILIES[family]
-        points = [(max(row["max_error"], ROUNDING), row["mean_ns"]) for row in of_family]
-        hollow = {"markerfacecolor": "white"} if of_family[0]["kind"] != "ours" else {}
-        axes.plot(*zip(*points),
-                  marker=marker,
-                  markersize=4.5,
-                  color=colour,
-                  linewidth=0.6,
-                  linestyle=dashes if by_parameter else "none",
-                  zorder=3,
-                  **hollow)
-        labels.line(*zip(*points))
-        draw_many(axes, labels, of_family, colour)
+        points, colour = draw_family(axes, labels, family, of_family, True, 4.5)
         chosen = [CHOICES.get((family, parameter(row)), "") for row in of_family]
         for point, word in zip(points, chosen):
             if word:
