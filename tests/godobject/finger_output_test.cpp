@@ -7,17 +7,6 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-TEST(SoftFinger, MarginIsTheShareThatIsLeft) {
-  auto finger = hertz_finger();
-  EXPECT_EQ(finger.margin(), 1.0);
-  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
-  EXPECT_EQ(finger.margin(), 1.0);
-  finger.update(on_plane(0.0003, 0.0, 0.002), 0.0);
-  EXPECT_NEAR(finger.margin(), 0.75, 1e-12);
-  finger.update(on_plane(0.003, 0.0, 0.002), 0.0);
-  EXPECT_EQ(finger.margin(), 0.0);
-}
-
 TEST(SoftFinger, StateIsAValue) {
   auto finger = exact_hertz_finger();
   auto other = exact_hertz_finger();
@@ -75,58 +64,37 @@ TEST(SoftFinger, TellsTheLoadThatHoldsInTheUnitOfTheLoad) {
   EXPECT_GT(pushes, 300);
 }
 
-// Without a sliding force the moment keeps its limit and the slip its centre: the COR that the proxy turns about.
-TEST(SoftFinger, TurnsAboutACentreWithoutASlidingForce) {
-  FingerParameters with = parameters();
-  with.mu_dynamic = 0.0;
-  with.mu_r = 0.002;
-  for (const double moment : {0.001, 1e-5}) {
-    with.mu_r_dynamic = moment;
+// Without a sliding force the moment keeps its limit and the slip its centre; without a limit of the moment, or of
+// both, the proxy turns with the finger: the COR is what the proxy turns about, by its slide and its turn.
+TEST(SoftFinger, TurnsAboutACentreWithoutASlidingForceOrAMoment) {
+  struct Case {
+    double mu, mu_dynamic, mu_r, mu_r_dynamic;
+  };
+  for (const Case& one : {Case{0.6, 0.0, 0.002, 0.001}, {0.6, 0.0, 0.002, 1e-5}, {0.7, 0.7, 0.0, 0.0}, {}}) {
+    FingerParameters with = parameters(one.mu);
+    with.mu_dynamic = one.mu_dynamic;
+    with.mu_r = one.mu_r;
+    with.mu_r_dynamic = one.mu_r_dynamic;
     for_each_curve(hertz(), [&](const FingerCurve& curve, const std::string& name) {
       SoftFinger finger(curve, with);
       FingerOutput last = finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
       for (int i = 1; i < 40; ++i) {
         const FingerOutput output = finger.update(on_plane(1e-3 * i, 0.0, 0.002), 0.2 * i);
-        if (output.state != ContactState::slip || i < 10) {
-          last = output;
-          continue;
-        }
-        EXPECT_NEAR(std::fabs(output.moment), 2.0 * moment, 1e-9) << name;
-        EXPECT_LT(output.force.norm(), 1e-12) << name;
-        const double way = (output.proxy - last.proxy).norm();
-        const double turn = std::fabs(output.angle - last.angle);
-        EXPECT_NEAR(output.cor, way / turn, 1e-9) << name;
-        EXPECT_NEAR((finger.centre_of_rotation() - output.proxy).norm(), output.cor, 1e-9) << name;
-        last = output;
-      }
-      EXPECT_EQ(last.state, ContactState::slip) << name;
-    });
-  }
-}
-
-// Without a limit of the moment, or of both, the proxy turns with the finger, about the centre that its slide and its
-// turn tell.
-TEST(SoftFinger, TurnsAboutACentreWithoutAMomentToo) {
-  for (const double mu : {0.7, 0.0}) {
-    FingerParameters with = parameters();
-    with.mu = mu;
-    with.mu_r = 0.0;
-    for_each_curve(hertz(), [&](const FingerCurve& curve, const std::string& name) {
-      SoftFinger finger(curve, with);
-      FingerOutput last = finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
-      for (int i = 1; i < 20; ++i) {
-        const FingerOutput output = finger.update(on_plane(1e-3 * i, 0.0, 0.002), 0.1 * i);
-        if (i > 10) {
-          ASSERT_EQ(output.state, ContactState::slip) << name;
-          EXPECT_NEAR(output.cor, (output.proxy - last.proxy).norm() / 0.1, 1e-9) << name;
-          if (mu > 0.0) {
+        if (i >= 10 && output.state == ContactState::slip) {
+          EXPECT_NEAR(std::fabs(output.moment), 2.0 * one.mu_r_dynamic, 1e-9) << name;
+          EXPECT_NEAR(output.force.norm(), 2.0 * one.mu_dynamic, 1e-12) << name;
+          const double turn = std::fabs(output.angle - last.angle);
+          EXPECT_NEAR(output.cor, (output.proxy - last.proxy).norm() / turn, 1e-9) << name;
+          if (one.mu > 0.0) {
             EXPECT_NEAR((finger.centre_of_rotation() - output.proxy).norm(), output.cor, 1e-9) << name;
           }
         }
         last = output;
       }
-      finger.update(on_plane(0.02, 0.0, 0.002), 0.1 * 19);
-      EXPECT_TRUE((finger.centre_of_rotation().array() == std::numeric_limits<double>::infinity()).all()) << name;
+      EXPECT_EQ(last.state, ContactState::slip) << name;
+      if (one.mu_r > 0.0) return;
+      finger.update(on_plane(0.04, 0.0, 0.002), 0.2 * 39);
+      EXPECT_TRUE((finger.centre_of_rotation().array() == infinity).all()) << name;
     });
   }
 }

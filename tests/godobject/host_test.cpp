@@ -2,7 +2,6 @@
 // What a host with collisions of its own needs: orientations, a body that moves, materials of the touched object.
 #include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/random_scene.hpp"
-#include "tests/real_time_guard.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
@@ -170,28 +169,6 @@ TEST(Host, BadParametersChangeNothing) {
   EXPECT_TRUE(finger.change(good));
   EXPECT_EQ(finger.parameters().mu, 0.3);
 }
-
-#ifdef LIMITCURVE_GUARDS_REAL_TIME
-TEST(Host, AChangeNeitherAllocatesNorFrees) {
-  auto finger = exact_hertz_finger();
-  const std::array<LoadSample, 3> radii{{{0.5, 3e-3}, {1.0, 4e-3}, {4.0, 6e-3}}};
-  std::array<FingerParameters, 4> materials{parameters(), parameters(0.3), parameters(0.4), parameters(0.5)};
-  materials[1].radius_law = RadiusLaw::sampled(radii);
-  materials[2].mu_r = 2e-3;
-  materials[2].gamma = 0.3;
-  materials[2].mu_r_dynamic = 1e-3;
-  materials[3].mu_dynamic = 0.6;  // refused
-  int changed = 0;
-  const int count = limitcurve::test::allocations_and_locks([&] {
-    for (int i = 0; i < 400; ++i) {
-      changed += finger.change(materials[static_cast<std::size_t>(i % 4)]);
-      finger.update(on_plane(1e-5 * i, 0, 0.002), Orientation::Identity(), 1e-3);
-    }
-  });
-  EXPECT_EQ(count, 0);
-  EXPECT_EQ(changed, 300);
-}
-#endif
 
 Vector3d rounded(const Vector3d& vector, double unit) {
   return (vector / unit).array().round() * unit;

@@ -107,6 +107,17 @@ TEST(MethodAgreement, BoostAndRing) {
   EXPECT_TRUE(std::isnan(hertz()->evaluate(std::numeric_limits<double>::quiet_NaN(), Method::boost).wrench.force));
 }
 
+/// Where there is no closed form, and where all three have one integral or two: the double integral of eq. (17).
+TEST(MethodAgreement, DirectAndTheRest) {
+  RandomCases cases(2);
+  for (int i = 0; i < study_cases(36, 3); ++i) {
+    const Law law = i % 3 == 0 ? xydas_kao(cases.log_uniform(0.01, 1e6)) : cases.law();
+    const double s = cases.cor();
+    expect_agreement(law, s, Method::direct, Method::ring);
+    if (law->allows(Method::punch)) expect_agreement(law, s, Method::direct, Method::punch);
+  }
+}
+
 /// Both sides of each switch between branches: the value does not jump by more than the curve moves.
 TEST(MethodAgreement, BranchesMeet) {
   for (const Law& law :

@@ -98,21 +98,6 @@ TEST(CurvedSurface, ConingFeedsNothingButTheSprings) {
   EXPECT_NEAR(work.sum, begin - finger.spring_energy(), 1e-8 * begin);
 }
 
-// Point 4: with dampers and a normal that turns, friction has no part along the normal.
-TEST(CurvedSurface, DampedFrictionIsTangent) {
-  FingerParameters with = skin();
-  with.damping = 5.0;
-  with.twist_damping = 1e-4;
-  SoftFinger finger = hertz_finger(with);
-  const AnySurface ball(SphereSurface(0.01));
-  for (int i = 0; i <= 3000; ++i) {
-    const double a = 0.3 * i * 1e-3 / 0.01;
-    const double depth = 0.0015 + 0.0005 * std::sin(0.02 * i);
-    const FingerOutput output = finger.update(ball, {(0.01 - depth) * Vector3d(std::sin(a), 0.0, std::cos(a))}, 1e-3);
-    ASSERT_LT(std::fabs(output.force.dot(output.normal)), 4e-15 * (1.0 + output.force.norm())) << i;
-  }
-}
-
 // Whatever contacts a host gives one after the other: the load is at most k_l d (1 + μ), which friction holds, and the
 // held force gains at most ½ k_l |Δx|² in a sample.
 TEST(CurvedSurface, NoContactsBearMoreThanFrictionHolds) {
@@ -239,23 +224,6 @@ TEST(CurvedSurface, ABallThatSlidesPastGainsWhatIsSaid) {
         EXPECT_LE(rises(2.5e-4), 0.4 * whole) << speed;
       }
     }
-  }
-}
-
-// Round a rod of eight edges, just below its faces: no friction is left along the normal of the next face, and no edge
-// gives energy.
-TEST(CurvedSurface, AnEdgeTurnsFrictionIntoTheNextFace) {
-  constexpr double face_angle = 0.25 * std::numbers::pi;
-  SoftFinger finger = hertz_finger(skin());
-  for (int i = 0; i < 4000; ++i) {
-    const double angle = 0.002 * i;
-    const double of_face = face_angle * std::round(angle / face_angle);
-    const Vector3d normal(std::cos(of_face), std::sin(of_face), 0.0);
-    const Vector3d place = 0.019 * Vector3d(std::cos(angle), std::sin(angle), 0.0);
-    const double depth = 0.02 - normal.dot(place);
-    const FingerOutput output = finger.update(Contact{place + depth * normal, normal, depth}, 0.0);
-    ASSERT_LE(std::fabs(output.force.dot(normal)), 1e-15 * (1.0 + output.load)) << i;
-    ASSERT_GE(output.slip_work, 0.0) << i;
   }
 }
 

@@ -104,56 +104,6 @@ TEST(Device, StickSlipOfAMassKeepsItsPeriod) {
   }
 }
 
-// Point 9: one sample far away, refused, leaves no trace: afterwards the finger is where it was, on the face where it
-// was. The finger keeps what the surface remembers; the first edition's finger was pushed out of the wrong face with 60
-// N.
-TEST(Device, ARefusedSampleLeavesTheSurfacesMemory) {
-  const std::vector<std::pair<AnySurface, double>> surfaces{{AnySurface(BoxSurface({0.06, 0.02, 0.02})), 0.018},
-                                                            {AnySurface(CylinderSurface(0.05, 0.02)), 0.018},
-                                                            {AnySurface(CapsuleSurface(0.02, 0.01)), 0.028}};
-  for (const auto& [surface, height] : surfaces) {
-    for (const double bad : {1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-      SoftFinger finger = hertz_finger(skin());
-      SoftFinger own = hertz_finger(skin());  // in a loop of one's own
-      for (int i = 0; i < 8; ++i) {
-        const Vector3d place(i == 3 ? bad : 0.0, 0.0, i == 3 ? 0.0 : height);
-        const FingerOutput output = finger.update(surface, {place}, 1e-3);
-        ASSERT_EQ(output.state, i == 3 ? ContactState::invalid : ContactState::stick) << i;
-        ASSERT_NEAR(output.load, 2.0, 1e-12) << i;
-        if (!place.allFinite()) continue;
-        ASSERT_NEAR(own.update(surface.contact(place, own.state().contact), 0.0, 1e-3).load, 2.0, 1e-12) << i;
-      }
-    }
-  }
-}
-
-// Point 14: a body of 1 g is touched at 0.3 m/s by a damped finger. Every step is solved, and the body loses what its
-// user is given.
-TEST(Device, ADampedTouchDownKeepsTheMomentum) {
-  BodyParameters body;
-  body.mass = 1e-3;
-  body.gravity.setZero();
-  body.free = {false, false, true, false, false, false};
-  FingerParameters with = skin();
-  with.damping = 5.0;
-  for (const double gap : {1e-5, 1e-4, 2.9e-4}) {
-    BodyState state;
-    Grasp grasp(body, state, AnySurface(PlaneSurface{}), {hertz_finger(with)});
-    const std::vector<DevicePose> devices{{{0.0, 0.0, gap}}};
-    grasp.place(state, devices);
-    state.velocity.z() = 0.3;
-    grasp.place(state, devices);
-    double given = 0.0;
-    for (int i = 0; i < 50; ++i) {
-      grasp.step(devices, 1e-3);
-      given += grasp.force_on_user(0).z() * 1e-3;
-      ASSERT_NEAR(body.mass * (0.3 - grasp.body().velocity.z()), given, 1e-12) << gap << ' ' << i;
-    }
-    EXPECT_EQ(grasp.unsolved(), 0U) << gap;
-    EXPECT_GT(given, 1e-4) << gap;
-  }
-}
-
 // A steady speed under time stamps that are off by up to 30 % of a step: the damper has the stamps' velocity. A stamp
 // that repeats the last one gives no velocity, and no infinite force.
 TEST(Device, ADamperFollowsAClockThatJittersOrStandsStill) {

@@ -126,9 +126,10 @@ TEST(SceneSoak, EveryStepHolds) {
       for (std::size_t k = 0; k < fingers; ++k) {
         const SoftFinger& finger = hand.finger(k);
         const FingerState& before = last.finger(k).state();
-        const ContactState state = finger.output().state;
-        ++states[static_cast<std::size_t>(state)];
-        ASSERT_NE(state, ContactState::invalid);
+        const FingerOutput output = finger.output();
+        ++states[static_cast<std::size_t>(output.state)];
+        ASSERT_NE(output.state, ContactState::invalid);
+        ASSERT_LE(std::fabs(output.force.dot(output.normal)), 1e-12 * (1e-3 + output.force.norm())) << "not tangent";
         // In a step of a body in parts a finger may come off and touch down anew.
         const bool whole = hand.divided() == last.divided() && hand.unsolved() == last.unsolved();
         const std::string_view fault = limitcurve::test::check_step(finger, whole ? before : FingerState{}).fault;
