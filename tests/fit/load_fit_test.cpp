@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <string>
-#include <vector>
 
 namespace limitcurve::fit {
 namespace {

@@ -15,7 +15,6 @@
 #include <numbers>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace limitcurve::test::load_curves_test {

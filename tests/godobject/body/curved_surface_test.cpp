@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <vector>
 
 namespace limitcurve::godobject::test::curved_surface_test {
 namespace {

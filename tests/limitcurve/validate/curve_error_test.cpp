@@ -14,7 +14,6 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <string>
 #include <utility>
 #include <vector>
 
