@@ -151,14 +151,5 @@ TEST(LawChoice, OfManyRowsSomeChooseTheLawAndAllFitIt) {
   EXPECT_NEAR(best(60).report.at("mu").value, some.report.at("mu").value, 1e-9);
 }
 
-/// The case: Once, 80 clean slips of a = 4.35 mm P^0.257.
-TEST(LawChoice, CleanSlipsOfAGrowingRadiusAreWarnedOf) {
-  Random random(1);
-  const std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), {0.8, 0.00435, 0.257}, 80, random);
-  const FitReport report = fit_contact(samples, ContactModel::of(hertz())).report;
-  EXPECT_TRUE(warns(report, "gamma = 0 was assumed, but 0.257"));
-  EXPECT_NE(report.note.find("gamma = 0 assumed"), std::string::npos) << report.note;
-}
-
 }  // namespace
 }  // namespace limitcurve::fit

@@ -2,13 +2,10 @@
 // Law strings: what is accepted, and what a refusal says.
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "special_values.hpp"
 #include "tests/complaint.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,15 +89,6 @@ TEST(LawGrammar, SaysWhatIsWrong) {
     EXPECT_EQ(complaint.find("law '"), 0U) << '"' << text << "\" -> " << complaint;
     EXPECT_EQ(complaint.find('\n'), std::string::npos) << "one line";
   }
-}
-
-TEST(LawGrammar, FactoriesRefuseToo) {
-  EXPECT_THROW(power(-1.0), std::invalid_argument);
-  EXPECT_THROW(power(inf), std::invalid_argument);
-  EXPECT_THROW(xydas_kao(0.0), std::invalid_argument);
-  EXPECT_THROW(xydas_kao(std::nan("")), std::invalid_argument);
-  EXPECT_THROW(gaussian(-0.1), std::invalid_argument);
-  EXPECT_THROW(mixture({}), std::invalid_argument);
 }
 
 TEST(LawGrammar, AWordThatIsNearIsSuggestedAndNoOther) {

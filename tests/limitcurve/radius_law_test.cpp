@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/contact/radius_law.hpp"
-#include "special_values.hpp"
 #include "tests/complaint.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,6 +105,7 @@ TEST(RadiusLaw, SaysWhatIsWrong) {
                                     {"hertz:R=0.008", "expected R=NUMBER,E=NUMBER"},
                                     {"hertz:R=0.008,E=0", "E = 0 Pa"},
                                     {"hertz:R=-0.008,E=1", "R = -0.008 m"},
+                                    {"hertz:R=1e300,E=1e-300", "R/E = inf m/Pa"},
                                     {"hertz:R=0.008,E=nan", "E = nan Pa"},
                                     {"power:c=0.002,gamma=1.5", "gamma = 1.5"},
                                     {"power:c=0.002,gamma=-0.1", "gamma = -0.1"},
@@ -117,15 +116,6 @@ TEST(RadiusLaw, SaysWhatIsWrong) {
     EXPECT_NE(complaint.find(std::string("radius law '") + text + "'"), std::string::npos)
         << text << " -> " << complaint;
   }
-}
-
-TEST(RadiusLaw, FactoriesRefuseToo) {
-  EXPECT_THROW(RadiusLaw::constant(0.0), std::invalid_argument);
-  EXPECT_THROW(RadiusLaw::hertz(inf, 1.0), std::invalid_argument);
-  EXPECT_THROW(RadiusLaw::hertz(1.0, -1.0), std::invalid_argument);
-  EXPECT_THROW(RadiusLaw::power(0.002, std::nan("")), std::invalid_argument);
-  // Each is a good number, their ratio is not.
-  EXPECT_THROW(RadiusLaw::hertz(1e300, 1e-300), std::invalid_argument);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "probes.hpp"
+#include "special_values.hpp"
 #include "tests/complaint.hpp"
 
 #include <gtest/gtest.h>
@@ -118,12 +119,7 @@ TEST_P(TableFileSuite, StatesTheErrorOfLinesBetweenRows) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, TableFileSuite,
                          testing::Values("hertz", "uniform", "flat-punch", "cone", "gaussian:sigma=2"),
-                         [](const testing::TestParamInfo<const char*>& tested) {
-                           std::string name = tested.param;
-                           std::replace_if(
-                               name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-                           return name;
-                         });
+                         [](const auto& tested) { return test::test_name(tested.param); });
 
 TEST(TableFile, EveryTornPrefixIsRefusedByPlace) {
   const std::string text = to_csv(Table::build(hertz(), 1e-2));

@@ -223,6 +223,7 @@ TEST(Table, FindsTheCurveOnTheRayOfTheLargestWrenches) {
 TEST(Table, NoLawIsRefused) {
   expect_mention(complaint([] { (void)Table::build(Law{}, 1e-3); }), "law: none");
   expect_mention(complaint([] { (void)ExactCurve(Law{}); }), "law: none");
+  EXPECT_THROW((void)mixture({}), std::invalid_argument);
   expect_mention(complaint([] { (void)mixture(std::vector<std::pair<double, Law>>{{1.0, Law{}}}); }), "law: none");
 }
 

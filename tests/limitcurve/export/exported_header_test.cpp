@@ -56,6 +56,13 @@ TEST(ExportedHeader, CarriesTheTablesChecksum) {
 }
 
 #ifndef _WIN32  // where there is no compiler
+/// The prefix of a header's names.
+std::string name_in(const std::string& header) {
+  constexpr std::string_view begins = "typedef struct ";
+  const std::size_t at = header.find(begins) + begins.size();
+  return header.substr(at, header.find("_friction", at) - at);
+}
+
 /// Compiles a program that prints the wrenches at some twists by the header of `table`, and compares them with the
 /// table's.
 void expect_compiles(const Table& table, const std::string& compiler, const std::string& extension) {
@@ -64,9 +71,7 @@ void expect_compiles(const Table& table, const std::string& compiler, const std:
   std::filesystem::create_directories(folder);
   const std::string header = to_header(table);
   std::ofstream(folder / "table.h") << header;
-  constexpr std::string_view name_begins = "typedef struct ";
-  const std::size_t name_at = header.find(name_begins) + name_begins.size();
-  const std::string name = header.substr(name_at, header.find("_friction", name_at) - name_at);
+  const std::string name = name_in(header);
   const std::vector<SlipTwist> twists = probes();
   std::ofstream program(folder / ("use." + extension));
   program << "#include \"table.h\"\n#include \"table.h\"\n#include <stdio.h>\nstatic const double twists[][2] = {";
@@ -108,11 +113,9 @@ TEST(ExportedHeader, OfManyTablesLiveInOneProgram) {
   std::string mains;
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const std::string number = std::to_string(i);
-    std::string header = to_header(tables[i]);
+    const std::string header = to_header(tables[i]);
     std::ofstream(folder / ("table" + number + ".h")) << header;
-    constexpr std::string_view name_begins = "typedef struct ";
-    const std::size_t name_at = header.find(name_begins) + name_begins.size();
-    const std::string name = header.substr(name_at, header.find("_friction", name_at) - name_at);
+    const std::string name = name_in(header);
     EXPECT_TRUE(contains(name, "limitcurve_table_")) << name;
     all << "#include \"table" << number << ".h\"\n";
     // Chosen names may even be equal, in files of their own.
