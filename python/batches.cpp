@@ -173,6 +173,11 @@ void add_batches(nb::module_& module) {
       "def __init__(self, curve: Table | Curve, n: int, *, dtype: numpy.typing.DTypeLike = 'float64', projection: str "
       "= 'closest-point', " +
       parameters_signature() + ") -> None";
+  batch.def("__repr__", [](const PyBatch& self) {
+    const bool is_single = self.contacts.index() == 1;
+    return "<Batch of " + nb::cast<std::string>(nb::str(self.given["n"])) + " contacts on " +
+           nb::cast<std::string>(nb::repr(self.curve)) + (is_single ? ", float32>" : ">");
+  });
   define<PyBatch*>(
       batch, signature,
       [](PyBatch* self, const BoundArguments& given) {

@@ -141,8 +141,7 @@ void add_limit_curve(nb::class_<Class>& type) {
       "`radius_law` gives the contact radius a(P), as on the command line; or `mu_r` [m/N^gamma] is given as measured, "
       "and the moment\n"
       "limit is mu_r P^(1+gamma): radii a [m] of many contacts are mu_r = mu * moment_ratio * a. Of a measured "
-      "pressure lc.run('hold', "
-      "...)\n"
+      "pressure lc.hold(...)\n"
       "estimates the error, hold_error.");
   type.def_prop_ro(
       "moment_ratio", [](const Class& self) { return curve_in(self).moment_ratio(); },
@@ -347,7 +346,7 @@ PyCurve closed_curve(const std::string& name, double force_max, double moment_ma
 void warn_of_samples(const std::string& law, double own_error, double error_of_curve) {
   if (own_error > error_of_curve)
     warn("load_to_hold: the unit wrenches of " + law + " may be off by " + format_number(own_error, 2) +
-         ", because the pressure is known only at samples: see hold_error of lc.run('hold', ...)");
+         ", because the pressure is known only at samples: see hold_error of lc.hold(...)");
 }
 
 Law law_of(nb::handle law) {

@@ -186,7 +186,12 @@ void add_finger_types(nb::module_& module) {
       ">>> finger = lc.SoftFinger(lc.Patch('rectangle:x=0.02,y=0.01'), mu=0.6)\n"
       ">>> str(finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0).state)\n"
       "'stick'\n");
-  type.def("__getstate__",
+  type.def("__repr__",
+           [](const PyFinger& self) {
+             return "<SoftFinger on " + nb::cast<std::string>(nb::repr(self.contact)) + ", mu " +
+                    format_number(self.parameters().mu) + ">";
+           })
+      .def("__getstate__",
            [](const PyFinger& self) { return nb::make_tuple(self.contact, self.given, packed(self.state())); })
       .def("__setstate__", [](PyFinger& self, const nb::tuple& state) {
         const nb::object made = nb::type<PyFinger>()(state[0], **nb::cast<nb::dict>(state[1]));

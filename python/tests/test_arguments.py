@@ -249,6 +249,8 @@ def test_units_of_texts_and_traces_are_asked_about_and_of_numbers_not(recwarn):
 def test_values_say_what_they_are():
     assert repr(PATCH).startswith("<Patch rectangle:x=0.02,y=0.01, m0 0.0059") and "points of 2 rows" in repr(
         lc.Patch.points([0, 0.01], [0, 0], [1, 1]))
+    assert repr(lc.SoftFinger(TABLE, mu=0.25)) == f"<SoftFinger on {TABLE!r}, mu 0.25>"
+    assert repr(lc.Batch(TABLE, 3, dtype=np.float32)) == f"<Batch of 3 contacts on {TABLE!r}, float32>"
     assert "not finite" in repr(lc.SoftFinger(TABLE).update((0, 0, np.nan), (0, 0, 1), 0.001, 0))
     assert TABLE == lc.Table("hertz", tolerance=1e-8) and TABLE != lc.Table(
         "hertz", tolerance=1e-6) and TABLE != 3 and len({TABLE, lc.Table("hertz", 1e-8)}) == 1
