@@ -15,17 +15,13 @@ class FitFriction(PatchCase):
         return {row["parameter"]: row for row in rows("fit", "friction", "--patch", patch, "--data", data, *options)}
 
     def test_measured_pushes_are_explained_by_the_points_and_not_by_the_ellipsoid(self):
-        figures = {
-            "hardboard": ((4.467, 0.045), (-0.034, 0.046), (-0.361, 0.064)),
-            "plywood": ((5.326, 0.060), (-0.030, 0.036), (-0.288, 0.038))
-        }
-        for name, (mu, drift, drift_ellipsoid) in figures.items():
-            found = self.fit(f"points:{DATA}/measured/tripod_{name}_a_points.csv",
-                             DATA / "measured" / f"tripod_{name}_a.csv")
-            for parameter, (value, error) in (("mu", mu), ("drift", drift), ("drift_ellipsoid", drift_ellipsoid)):
-                self.assertAlmostEqual(found[parameter]["value"], value, delta=6e-4)
-                self.assertAlmostEqual(found[parameter]["std_error"], error, delta=6e-4)
-            self.assertEqual(found["mu"]["unit"], "N")
+        found = self.fit(f"points:{DATA}/measured/tripod_hardboard_a_points.csv",
+                         DATA / "measured" / "tripod_hardboard_a.csv")
+        for parameter, (value, error) in (("mu", (4.467, 0.045)), ("drift", (-0.034, 0.046)),
+                                          ("drift_ellipsoid", (-0.361, 0.064))):
+            self.assertAlmostEqual(found[parameter]["value"], value, delta=6e-4)
+            self.assertAlmostEqual(found[parameter]["std_error"], error, delta=6e-4)
+        self.assertEqual(found["mu"]["unit"], "N")
 
     def pushes(self, moved, mu=0.4, load=10.0):
         """Pushes of a two-point patch away from its origin, whose wrench is exact."""
@@ -102,11 +98,10 @@ class HowWrongIsRound(PatchCase):
         for name, model in self.models(disc + ",mx=2,my=2").items():
             for column in ("max_error", "rms_error", "max_cor_error"):
                 self.assertAlmostEqual(model[column], self.models(disc)[name][column], delta=1e-6, msg=name)
-        for patch in (disc, "rectangle:x=0.02,y=0.01"):
-            twice = rows("translate", "--patch", patch + ",mx=2,my=2", "--mu", "0.3")
-            for one, other in zip(rows("translate", "--patch", patch, "--mu", "0.6"), twice, strict=True):
-                self.assertAlmostEqual(other["value"], one["value"], delta=1e-12, msg=one)
-                self.assertAlmostEqual(other["max_error"], one["max_error"], delta=1e-9)
+        one, twice = (rows("translate", "--patch", disc + more, "--mu", mu)
+                      for more, mu in (("", 0.6), (",mx=2,my=2", 0.3)))
+        for row, other in zip(one, twice, strict=True):
+            self.assertAlmostEqual(other["value"], row["value"], delta=1e-12, msg=row)
         self.assertIn("a disc has 2 times mu",
                       run("choose", "--patch", disc + ",mx=2,my=2", "--tolerance", "0.1").stderr)
 
@@ -130,9 +125,6 @@ class HowWrongIsRound(PatchCase):
             self.assertAlmostEqual(found[engine, across], 0.2, delta=1e-12)
             self.assertAlmostEqual(moment, 0.4 * spin, delta=1e-14)
         self.assertIn("physx", done.stderr)
-        refused = run("translate", "--patch", patch, "--mu", "0.4", "--engine", "physx")
-        self.assertEqual(refused.returncode, 2)
-        self.assertRegex(refused.stderr, "physx has one coefficient of friction, and mx = 2, my = 0.5")
 
     def test_choose_takes_the_disc_where_it_will_do(self):
         def chosen(patch, tolerance):
@@ -141,9 +133,6 @@ class HowWrongIsRound(PatchCase):
             return row["model"].split(":")[0]
 
         self.assertEqual(chosen("ellipse:law=uniform,a=0.004,b=0.004", 1e-6), "disc")
-        self.assertEqual(chosen("rectangle:x=5,y=1", 0.2), "ellipsoid")
-        self.assertEqual(chosen("rectangle:x=1,y=1", 0.01), "disc")
-        self.assertEqual(chosen("rectangle:x=0.02,y=0.01", 0.1), "disc")
         self.assertEqual(chosen("rectangle:x=0.02,y=0.01", 0.01), "patch")
         self.assertEqual(chosen("rectangle:x=0.02,y=0.01,mx=2", 0.1), "ellipsoid")
 

@@ -19,19 +19,9 @@ class Translate(CommandLineTest):
         found = rows(*self.CONTACT)
         self.assertEqual({(row["engine"], row["model"]) for row in found},
                          {(row["engine"], row["model"]) for row in self.facts("engines") if row["model"] != "field"})
-        self.assertLessEqual(
-            {
-                "mujoco", "chrono", "gazebo", "physx", "isaac", "sapien", "bullet", "ode", "newton", "genesis", "drake",
-                "dart", "dex-net"
-            }, {row["engine"]
-                for row in found})
         coefficients = {(row["engine"], row["parameter"]): row["value"] for row in found}
         self.assertEqual(coefficients["mujoco", "geom.friction[0]"], 0.8)
-        # mu m0 a(P), a = 4 mm
         self.assert_close(coefficients["mujoco", "geom.friction[1]"], 0.8 * 2 / 3 * 0.004, 1e-14)
-        errors = {row["model"]: row["max_error"] for row in found}
-        self.assertAlmostEqual(errors["ellipse"], 0.0704, delta=5e-5)
-        self.assertAlmostEqual(errors["box"], 0.512, delta=1e-3)
 
     def test_the_cone_is_a_row(self):
         """The cone option is on the models it holds for, and on no other row."""
@@ -97,7 +87,6 @@ class Translate(CommandLineTest):
             combined = [row["note"] for row in found if "two bodies: " in str(row["note"])]
             self.assertEqual(len(combined), sum(row["two_bodies"] != "" for row in own))
         self.assertEqual(rows(*self.CONTACT, "--engine", "isaac-lab"), rows(*self.CONTACT, "--engine", "isaac"))
-        self.assert_fails(2, ["--engine", "'mujcoo'", "mujoco"], *self.CONTACT, "--engine", "mujcoo")
 
     def test_one_engine_has_eight_columns_and_a_table_120(self):
         for more in ((), ("--loads", "4,64"), ("--mu", "0.4,0.8"), ("--loads", "4,64", "--mu", "0.4,0.8")):
@@ -111,11 +100,10 @@ class Translate(CommandLineTest):
         """For randomisation: mu_r over the loads, which goes as the radius."""
         self.assertTrue(header(*self.CONTACT, "--loads", "4,64").endswith(",formula,two_bodies,low,high"))
         for row in rows(*self.CONTACT, "--loads", "4,64"):
-            if row["formula"] in ("mu_r", "m0 a", "16 m0 a/(3 pi)", "mu_r/f"):
-                self.assert_close(row["low"], row["value"] / 2**0.5, 1e-12)
-                self.assert_close(row["high"], row["value"] * 2**0.5, 1e-12)
-            elif "a/pi" not in str(row["formula"]) and "1000" not in str(row["formula"]):
-                self.assertEqual((row["low"], row["high"]), (row["value"], row["value"]))
+            times = 2**0.5 if row["formula"] in ("mu_r", "m0 a", "16 m0 a/(3 pi)", "mu_r/f") else 1
+            if "a/pi" not in str(row["formula"]) and "1000" not in str(row["formula"]):
+                self.assert_close(row["low"], row["value"] / times, 1e-12)
+                self.assert_close(row["high"], row["value"] * times, 1e-12)
 
     def test_patch(self):
         """The largest moment of a uniform square of side d is mu P d (sqrt 2 + ln(1 + sqrt 2))/6, by integration of the
@@ -130,14 +118,6 @@ class Translate(CommandLineTest):
         self.assert_close(found["sapien", "min_patch_radius"]["value"], lever, 1e-12)
         for parameter, told in (("geom.friction[1]", True), ("geom.friction[0]", False)):
             self.assertEqual("one contact point (a ball" in found["mujoco", parameter]["note"], told)
-        ellipsoid, = [
-            row for row in rows("validate", "--patch", f"rectangle:x={side},y={side}") if row["model"] == "ellipsoid"
-        ]
-        self.assert_close(found["genesis", "materials.Rigid.friction"]["max_error"], ellipsoid["max_error"], 1e-6)
-        for option, value in (("--law", "hertz"), ("--radius-law", "constant:a=0.005"), ("--load", "1"), ("--loads",
-                                                                                                          "1,2")):
-            self.assert_fails(2, [option, "--patch"], "translate", "--patch", "rectangle:x=0.01,y=0.01", "--mu", "0.8",
-                              option, value)
 
     def test_what_a_number_means(self):
         reading = ["translate", "--law", "uniform", "--mu", "0.5", "--read"]
@@ -159,14 +139,6 @@ class Translate(CommandLineTest):
             self.assertEqual("no fingertip" in row["note"], not 1e-3 <= row["radius"] <= 2e-2)
         both = rows(*reading, "dart.friction=0.5", "--read", "ode.torsional=0.002")
         self.assertEqual([(row["engine"], row["radius"]) for row in both], [("dart", ""), ("ode", 0.006)])
-        for text, expected in (("mujoco.torsional", "ENGINE.PARAMETER=VALUE"),
-                               ("torsional=1", "ENGINE.PARAMETER=VALUE"), ("mujoco.torsional=a", "a number"),
-                               ("mujoco.cone=pyramidal", "true or false"), ("mujoco.torsional=-1", "-1"),
-                               ("mujoco.torsion=1", "torsional"), ("mujco.torsional=1", "mujoco")):
-            self.assert_fails(2, ["--read", expected], *reading, text)
-        self.assert_fails(2, "--load", *reading, "mujoco.torsional=0.005", "--load", "1")
-        self.assert_fails(2, "--law", "translate", "--mu", "1", "--read", "mujoco.torsional=0.005")
-        self.assert_fails(2, "--mu", *reading, "mujoco.torsional=0.005", "--mu", "1,2")
 
     def test_names_and_attributes_as_they_stand_in_files(self):
         reading = ["translate", "--law", "uniform", "--mu", "0.5"]
@@ -184,7 +156,6 @@ class Translate(CommandLineTest):
         self.assertEqual(found[2]["moment_per_load"], 0)
         found = rows(*reading, "--read", "gazebo.use_patch_radius=false", "--read", "gazebo.patch_radius=0.1")
         self.assertEqual(found[1]["moment_per_load"], 0)
-        self.assert_fails(2, "mu", "translate", "--law", "uniform", "--read", "mujoco.torsional=0.005")
 
     def test_several_frictions(self):
         """mu_r follows mu: the rows of each are those of a call of its own."""
@@ -198,7 +169,6 @@ class Translate(CommandLineTest):
             }
                               for row in both
                               if row["mu"] == mu], rows(*call, "--mu", str(mu)))
-        self.assert_fails(2, ["--mu", "--mu-r"], "translate", "--mu", "0.4,1.2", "--mu-r", "0.002", "--load", "3")
 
     def test_a_measured_moment_needs_no_law(self):
         done = run("translate", "--mu", "0.5", "--mu-r", "0.002", "--load", "3")

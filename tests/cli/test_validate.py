@@ -54,21 +54,19 @@ class Points(CommandLineTest):
         return row
 
     def test_points_of_the_exact_curve_and_scaled_ones(self):
-        exact = [(row["force"], row["moment"], row["c"])
-                 for row in rows("eval", "--law", "hertz", "--c", "0,0.1,0.7,1,5,inf")]
+        exact = [(row["force"], row["moment"], row["c"]) for row in rows("eval", "--law", "hertz", "--c", "0,1,5,inf")]
         row = self.judged(("--law", "hertz"), "force,moment,c", exact)
         self.assertLess(max(row["max_error"], row["max_cor_error"]), 1e-13)
-        changed = [(-1.2 * 3 * f * (1.1 if i == 2 else 0.8 if i == 3 else 1),
-                    1.2 * 3 * 0.005 * m * (1.1 if i == 2 else 0.8 if i == 3 else 1), 0.005 * c * (2 if i == 4 else 1))
-                   for i, (f, m, c) in enumerate(exact)]
+        scales = -1.2 * 3, 1.2 * 3 * 0.005, 0.005
+        changed = [[value * scale * change
+                    for value, scale, change in zip(point, scales, (1.1, 1.1, 1) if i == 2 else (1, 1, 1))]
+                   for i, point in enumerate(exact)]
         row = self.judged(("--law", "hertz", "--mu", 1.2, "--load", 3, "--radius", 0.005), "force,moment,c", changed)
-        for column, expected in (("max_error", 0.2), ("max_over_estimate", 0.1), ("max_under_estimate", 0.2),
-                                 ("max_cor_error", 1), ("rms_error", math.sqrt((0.01 + 0.04) / 6))):
+        for column, expected in (("max_error", 0.1), ("max_over_estimate", 0.1), ("max_under_estimate", 0),
+                                 ("max_cor_error", 0), ("rms_error", 0.05)):
             self.assertAlmostEqual(row[column], expected, delta=1e-12, msg=column)
         self.assertEqual(
             self.judged(("--law", "hertz"), "force,moment", [point[:2] for point in exact])["max_cor_error"], "")
-        self.assertEqual(
-            self.judged(("--law", "hertz"), "force,moment,c", [(0.0, 0.5, 1.0)])["max_cor_error"], math.inf)
 
     def test_a_centre_of_rotation_counts_as_far_as_the_point_tells_it(self):
         moment = 3 * math.pi / 16
@@ -134,44 +132,34 @@ class Choose(CommandLineTest):
         self.assertEqual([line.split(",")[0] for line in best], ["table/closest-point"])
         self.assertTrue(run(*scene, "--slide-speed", "0").stderr.startswith("limitcurve: uncoupled will do"))
         self.assertTrue(run(*scene, "--twist-rate", "0").stderr.startswith("limitcurve: no torsion is needed"))
-        for slide in ("--slide-speed", "--slide"):
-            for twist in ("--twist-rate", "--twist"):
-                self.assert_fails(2, ["no motion", "slide speed", "twist rate"], *scene, slide, "0", twist, "0")
-        self.assert_fails(2, ["--loads", "expected"], *scene, "--loads", "1,2,3")
-        self.assert_fails(2, ["least load"], *scene, "--loads", "2,1")
 
     def test_a_scene_says_what_to_type_into_replay(self):
-        trace = self.file("trace.csv",
-                          "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n0.2,0.002,0,-0.001,0.2\n")
-        plateau, ends = (
-            f"samples:{self.file(name, f'load,radius{chr(10)}0.5,0.005{chr(10)}1,{middle}{chr(10)}2,{most}{chr(10)}')}"
-            for name, middle, most in (("plateau.csv", 0.006, 0.006), ("ends.csv", 0.0052, 0.005)))
-        for law in ["hertz", "power:n=2.3"]:
-            # The last two are equal at the most load and at the mean one, or at both ends.
-            for radius in ["constant:a=0.006", "power:c=0.005,gamma=0.3", plateau, ends]:
-                for tolerance in ["0.3", "0.02", "1e-4"]:
-                    for rates in [[], ["--twist-rate", "0"]]:
-                        finger = [
-                            "--law", law, "--radius-law", radius, "--mu", "0.6", "--stiffness", "1000",
-                            "--twist-stiffness", "0.036"
-                        ]
-                        done = run("choose", "--scene", *finger, "--tolerance", tolerance, "--sample-time", "0.02",
-                                   *rates)
-                        line = next(line for line in done.stderr.splitlines()
-                                    if line.startswith("limitcurve: replay it with "))
-                        options = line.removeprefix("limitcurve: replay it with ").removesuffix(
-                            " instead of --radius-law").split()
-                        best = next(row for row in done.stdout.splitlines() if row.endswith(",true")).split(",")[0]
-                        follows = best.endswith("/a(P)") or best == "no torsion" or radius.startswith("constant")
-                        self.assertEqual("--radius-law" not in options, follows, (best, line))
-                        if "--mu-r" in options:
-                            del finger[2:4]
-                        elif "--radius-law" in options:
-                            finger[3] = options[options.index("--radius-law") + 1]
-                            del options[options.index("--radius-law"):]
-                        if best != "no torsion":
-                            self.assertEqual(best.split("/")[:2], [options[1], options[3]])
-                        self.assertEqual(len(rows("replay", "--trace", trace, *finger, *options, "--quiet")), 3)
+        trace = self.file("trace.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n")
+        loads = "load,radius\n0.5,0.005\n1,{}\n2,{}\n".format
+        plateau = f"samples:{self.file('plateau.csv', loads(0.006, 0.006))}"
+        ends = f"samples:{self.file('ends.csv', loads(0.0052, 0.005))}"
+        # The last two are equal at the most load and at the mean one, or at both ends.
+        for radius, tolerance, more in (("constant:a=0.006", 0.3, ["--twist-rate", "0"]),
+                                        ("power:c=0.005,gamma=0.3", 0.02, []), ("power:c=0.005,gamma=0.3", 1e-4, []),
+                                        (plateau, 0.3, []), (ends, 0.02, []), (ends, 0.3, [])):
+            finger = [
+                "--law", "hertz", "--radius-law", radius, "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness",
+                "0.036"
+            ]
+            done = run("choose", "--scene", *finger, "--tolerance", tolerance, "--sample-time", "0.02", *more)
+            line = next(line for line in done.stderr.splitlines() if line.startswith("limitcurve: replay it with "))
+            options = line.removeprefix("limitcurve: replay it with ").removesuffix(" instead of --radius-law").split()
+            best = next(row for row in done.stdout.splitlines() if row.endswith(",true")).split(",")[0]
+            follows = best.endswith("/a(P)") or best == "no torsion" or radius.startswith("constant")
+            self.assertEqual("--radius-law" not in options, follows, (best, line))
+            if "--mu-r" in options:
+                del finger[2:4]
+            elif "--radius-law" in options:
+                finger[3] = options[options.index("--radius-law") + 1]
+                del options[options.index("--radius-law"):]
+            if best != "no torsion":
+                self.assertEqual(best.split("/")[:2], [options[1], options[3]])
+            self.assertEqual(len(rows("replay", "--trace", trace, *finger, *options, "--quiet")), 2)
 
     def test_what_a_scene_leaves_out_is_said_and_typed(self):
         trace = self.file("trace.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n")
