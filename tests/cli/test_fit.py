@@ -55,20 +55,14 @@ class Fit(CommandLineTest):
                 for row in rows("fit", "ratio", "--quiet", "--data", self.file("n.csv", text))
             }
             self.assertEqual(list(told), ["ratio", "radius", "chi_squared", "degrees_of_freedom", "p_value"])
-            self.assert_close(told["ratio"]["std_error"], 1e-3 / math.sqrt(n * sum(weights)), 1e-14)
-            self.assert_close(told["p_value"]["value"], math.exp(-n * chi_squared / 2), 1e-12)
             self.assertEqual(round(told["p_value"]["value"], 2), p)
-        # Under another law another radius; through a pipe; two that no one ratio explains.
+        # Through a pipe; two that no one ratio explains.
         text = (DATA / "materials.csv").read_text()
         call = ["fit", "ratio", "--quiet", "--law", "uniform", "--data"]
-        other = rows(*call, DATA / "materials.csv")
-        self.assert_close(other[1]["value"], 1.5e-3 * mean, 1e-14)
         self.assertEqual(run(*call, "-", input=text).stdout, run(*call, DATA / "materials.csv").stdout)
         done = run("fit", "ratio", "--data", self.file("two.csv", "n,ratio_sd,ratio\n1,0.001,0.006\n1,0.001,0.012\n"))
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"warning: the ratios differ by more than their standard errors explain")
-        value = {line.split(",")[0]: float(line.split(",")[1]) for line in done.stdout.splitlines()[1:]}
-        self.assert_close(value["p_value"], math.erfc(math.sqrt(value["chi_squared"] / 2)), 1e-12)
 
     def test_rows_that_stick_are_warned_of(self):
         # Huber's loss said mu = 0.6635 +- 0.0050 for 0.75, without a word.
@@ -91,36 +85,17 @@ class Fit(CommandLineTest):
         return self.file("renamed.csv", "\n".join(text) + "\n")
 
     def test_columns_and_units_of_the_file(self):
-        tripod = ["--patch", f"points:{DATA}/measured/tripod_hardboard_a_points.csv"]
-        deg = 180 / math.pi
-        for model, source, factors, units in (([model, *more], source, factors, units)
-                                              for models, source, factors, units in ((("ratio", "law", "ellipse"),
-                                                                                      "fit/slips.csv", {
-                                                                                          "load": 1e3,
-                                                                                          "force": 1e3,
-                                                                                          "moment": 1e3,
-                                                                                          "sigma_force": 1e3,
-                                                                                          "sigma_moment": 1e3
-                                                                                      }, "force=mN,moment=Nmm"),
-                                                                                     (("load", ), "fit/radii.csv", {
-                                                                                         "radius": 1e3,
-                                                                                         "sigma_radius": 1e3
-                                                                                     }, "length=mm"),
-                                                                                     (("ratio", ), "materials.csv", {
-                                                                                         "ratio": 100,
-                                                                                         "ratio_sd": 100
-                                                                                     }, "length=cm"),
-                                                                                     (("friction", ),
-                                                                                      "measured/tripod_hardboard_a.csv",
-                                                                                      {
-                                                                                          "moment": 100,
-                                                                                          "dx": 1e3,
-                                                                                          "dy": 1e3,
-                                                                                          "dtheta": deg
-                                                                                      },
-                                                                                      "length=mm,moment=Ncm,angle=deg"))
-                                              for model in models
-                                              for more in [tripod if model == "friction" else []]):
+        every = dict.fromkeys(("load", "force", "moment", "sigma_force", "sigma_moment"), 1e3)
+        pushes = {"moment": 100, "dx": 1e3, "dy": 1e3, "dtheta": 180 / math.pi}
+        for model, source, factors, units in ((["ratio"], "fit/slips.csv", every, "force=mN,moment=Nmm"),
+                                              (["load"], "fit/radii.csv", dict.fromkeys(
+                                                  ("radius", "sigma_radius"), 1e3), "length=mm"),
+                                              (["ratio"], "materials.csv", dict.fromkeys(("ratio", "ratio_sd"), 100),
+                                               "length=cm"),
+                                              (["friction", "--patch",
+                                                f"points:{DATA}/measured/tripod_hardboard_a_points.csv"],
+                                               "measured/tripod_hardboard_a.csv", pushes,
+                                               "length=mm,moment=Ncm,angle=deg")):
             own = rows("fit", *model, "--quiet", "--data", DATA / source)
             names = {name: "Raw " + name.upper() for name in factors}
             other = self.renamed(DATA / source, names, factors)
@@ -137,12 +112,6 @@ class Fit(CommandLineTest):
             for line in run("fit", "ellipse", "--law", "hertz", "--criterion", criterion,
                             "--quiet").stdout.splitlines()[1:]:
                 self.assertEqual(line.split(",")[2], "", line)
-
-    def test_the_model_of_a_radius_and_loads_with_moments(self):
-        fixed, _ = self.fitted("load", "--load-model", "hertz", "--data", DATA / "fit" / "radii.csv")
-        self.assertEqual(fixed["gamma"], 1 / 3)
-        moments = self.file("moments.csv", "load,moment\n1,0.002\n2,0.005\n4,0.0125\n8,0.03125\n16,0.08\n")
-        self.assertIn("mu_r", self.fitted("load", "--data", moments)[0])
 
     def test_growth_that_was_not_fitted_is_warned_of(self):
         """Once, 80 clean slips of a = 4.35 mm P^0.257 were fitted with gamma = 0, without a warning."""
@@ -161,15 +130,7 @@ class Fit(CommandLineTest):
             "load,force,moment\n" +"".join(f"{r['load']!r},{r['force']!r},{r['moment']!r}\n" for r in points))
 
     def test_a_log_as_a_sensor_gives_it_needs_no_marks(self):
-        """The log is a brush model's, whose own sum of bristles is our curve to 1 %."""
         maker = runpy.run_path(str(DATA / "fit" / "make_sensor_log.py"))
-        pad = maker["bristles"]()
-        for line in rows("eval", "--law", "hertz", "--c", "0.2,0.5,1,2,5"):
-            arms = [(share, x, y + line["c"]) for x, y, share in pad]
-            force = sum(share * arm / math.hypot(x, arm) for share, x, arm in arms)
-            moment = sum(share * (x * x + (arm - line["c"]) * arm) / math.hypot(x, arm) for share, x, arm in arms)
-            self.assertAlmostEqual(force, line["force"], delta=0.01)
-            self.assertAlmostEqual(moment, line["moment"], delta=0.01)
         data = DATA / "fit" / "wrench_log.csv"
         names = ["field.wrench." + name for name in maker["AXES"]]
         columns = ("--columns", f"load=-{names[2]},force={':'.join(names[:2])},moment={':'.join(names)}")
@@ -183,9 +144,6 @@ class Fit(CommandLineTest):
             self.assertIn("pauses, field.wrench.force.z", done.stderr)
             self.assertIn("rows have a blank in a used column, and are left out", done.stderr)
             self.assertNotIn("lower bound", done.stderr)
-        self.assert_fails(2, "only for slips under a law", "fit", "load",
-                          "--data", DATA / "fit" / "radii.csv", "--loss",
-                          "edge")
         self.assert_fails(2, "needs standard deviations: --zero", "fit", "ratio", *log[:6], *columns, "--loss", "edge",
                           "--quiet")
 
@@ -195,10 +153,9 @@ class Fit(CommandLineTest):
             load, force, moment = map(float, lines[row].split(","))
             lines[row] = f"{load},{force * factor},{moment * factor}"
         data = self.file("outliers.csv", "\n".join(lines))
-        for loss in ("squared", "huber", "cauchy"):
-            for model in ("ellipse", "law", "ratio"):
-                _, said = self.fitted(model, "--data", data, "--loss", loss)
-                self.assertIn("warning: rows 5, 18, 31 (lines of the file): gross outliers", said)
+        for model in ("ellipse", "law", "ratio"):
+            _, said = self.fitted(model, "--data", data)
+            self.assertIn("warning: rows 5, 18, 31 (lines of the file): gross outliers", said)
 
     def test_every_row_notes_the_model_and_what_was_assumed(self):
         data = self.growing("uniform")
@@ -220,26 +177,21 @@ class Fit(CommandLineTest):
             self.assertEqual({row["note"] for row in rows("fit", *call, "--quiet")}, {noted})
 
     def test_what_is_said_to_be_typed_can_be_typed(self):
-        """The largest moment of a replay with the options given is that of the data."""
+        """The largest moment of a replay with the options given is that of the data: mu m0 P a(P) under 4 N."""
         data = self.growing("uniform")
         trace = self.file("twist.csv", "time,x,y,z,twist\n" + "".join(f"{i},0,0,-0.004,{i}\n" for i in range(7)))
-        for call in (["law", "--fit-gamma"], ["law", "--law", "uniform", "--gamma",
-                                              "0.257"], ["ellipse", "--fit-gamma"]):
-            said = self.fitted(*call, "--data", data)[1]
-            self.assertRegex(said.splitlines()[-1], r"\.mu = 0\.\d+, \.mu_r = 0\.\d+, \.gamma = 0\.2")
-            typed = said.splitlines()[-1].split("for replay: ")[1].split(";")[0].split()
-            end = rows("replay", "--trace", trace, *typed, "--stiffness", "1000", "--twist-stiffness", "0.04")[-1]
-            # mu m0 P a(P) under 4 N; approximations have their own largest moment.
-            self.assert_close(end["moment"], -0.7 * 2 / 3 * 4 * 0.00435 * 4 ** 0.257, 5e-6 if "law" in call else 0.05)
+        said = self.fitted("law", "--fit-gamma", "--data", data)[1]
+        self.assertRegex(said.splitlines()[-1], r"\.mu = 0\.\d+, \.mu_r = 0\.\d+, \.gamma = 0\.2")
+        typed = said.splitlines()[-1].split("for replay: ")[1].split(";")[0].split()
+        end = rows("replay", "--trace", trace, *typed, "--stiffness", "1000", "--twist-stiffness", "0.04")[-1]
+        self.assert_close(end["moment"], -0.7 * 2 / 3 * 4 * 0.00435 * 4 ** 0.257, 5e-6)
         own = self.file("my law.csv", "radius,pressure\n" + "".join(f"{i / 20},1\n" for i in range(21)))
         # The whole line: each row is a slip, so that it holds up to the scatter.
-        for call, slips in ((["ellipse"], DATA / "fit" / "slips.csv"), (["law", "--law", "uniform", "--gamma",
-                                                                         "0.257"], data),
-                            (["law", "--law", "uniform", "--fit-gamma", "--columns", "load=F'z", "--units",
-                              "force=N"], self.renamed(data, {"load": "F'z"},
-                                                       {})), (["law", "--law", f"samples:{own}", "--gamma",
-                                                               "0.257"], self.file("it's a $file.csv",
-                                                                                   data.read_text()))):
+        renamed = self.renamed(data, {"load": "F'z"}, {})
+        quoted = self.file("it's a $file.csv", data.read_text())
+        for call, slips in ((["ellipse"], DATA / "fit" / "slips.csv"),
+                            (["law", "--law", "uniform", "--fit-gamma", "--columns", "load=F'z", "--units", "force=N"],
+                             renamed), (["law", "--law", f"samples:{own}", "--gamma", "0.257"], quoted)):
             line, = (line for line in self.fitted(*call, "--data", slips)[1].splitlines()
                      if "for the load that" in line)
             command, *typed = shlex.split(line[line.index("limitcurve hold"):])
@@ -248,11 +200,6 @@ class Fit(CommandLineTest):
             self.assertLess(sum(margins) / len(margins), 0.1, call)
         self.assertIn("no parameters suggested: the data reject this model; add --fit-gamma\n",
                       self.fitted("law", "--law", "uniform", "--data", data)[1])
-        radii = self.file("radii.csv", "load,radius\n1,0.002\n2,0.0023\n5,0.0028\n")
-        typed = self.fitted("load", "--data", radii)[1].splitlines()[-1].split("for replay: ")[1].split(";")[0].split()
-        self.assertEqual(
-            rows("replay", "--trace", trace, "--law", "hertz", "--mu", "0.5", *typed, "--stiffness", "1000",
-                 "--twist-stiffness", "0.04")[-1]["state"], "slip")
 
     def test_residuals_are_distances_in_standard_deviations(self):
         """Slips on the curve, but for one that is 7 standard deviations outside and one that is 4 inside."""
@@ -268,10 +215,6 @@ class Fit(CommandLineTest):
             self.assertEqual(len(found), len(slips))
             for residual, expected in zip(found, [0] * (len(slips) - 2) + [7, -4]):
                 self.assertAlmostEqual(residual, expected, delta=0.25)
-        for model, call in [("load", ["--data", data]), ("ratio", ["--data", data]),
-                            ("friction", ["--data", data, "--patch", "rectangle:x=1,y=1"]),
-                            ("ellipse", ["--law", "hertz"])]:
-            self.assert_fails(2, ["--residuals", "--data", f"fit {model}"], "fit", model, "--residuals", *call)
 
 
 if __name__ == "__main__":

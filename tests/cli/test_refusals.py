@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""refusals.txt: wrong command lines, each with exit 2 and one line that has what stands behind its `->`.
+"""Help, outputs that fail, and refusals.txt: wrong command lines, each with exit 2 and one line that has what stands
+behind its `->`.
 
 An indented line completes the last line that begins at the margin; {a b} stands for either word, $NAME for the words of
 `NAME = …`, @FILE for a file of the text behind `<<`.
@@ -7,10 +8,11 @@ An indented line completes the last line that begins at the margin; {a b} stands
 
 import re
 import shlex
+import subprocess
 import unittest
 from pathlib import Path
 
-from command_line import DATA, CommandLineTest
+from command_line import DATA, EXECUTABLE, CommandLineTest, run
 
 
 def each(text):
@@ -46,6 +48,39 @@ class Refusals(CommandLineTest):
                     path.write_bytes(content.lstrip(" ").encode().decode("unicode_escape").encode("latin-1"))
                     words = words.replace("@" + name, name)
                 self.assert_fails(2, told, *shlex.split(words), cwd=self.directory)
+
+
+class Usage(CommandLineTest):
+    def test_help_and_version_succeed(self):
+        for arguments in [["--help"], ["--version"], ["-V"], ["help"], ["eval", "--help"], ["help", "eval"],
+                          ["laws", "--help"]]:
+            done = run(*arguments)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
+            self.assertTrue(done.stdout)
+        bare = run()
+        self.assertEqual((bare.returncode, bare.stdout, bare.stderr), (2, "", run("--help").stdout))
+
+    def test_rare_options_are_shown_on_request(self):
+        usual, whole = (run("replay", way).stdout for way in ("--help", "--help-all"))
+        self.assertTrue("--rest-margin" in whole and "--rest-margin" not in usual)
+        self.assertLessEqual(usual.count("\n"), 45)
+
+    def test_a_line_break_in_an_argument_stays_on_one_line(self):
+        self.assert_fails(2, "--law", "eval", "--law", "he\nrtz", "--c", "1")
+
+
+class Outputs(CommandLineTest):
+    def test_a_full_disk(self):
+        for arguments in [["curve", "--law", "hertz", "--points", "20000"], ["laws"], ["laws", "--format", "json"],
+                          ["--help"]]:
+            with open("/dev/full", "wb") as full:
+                done = subprocess.run([EXECUTABLE, *arguments],
+                                      stdout=full,
+                                      stderr=subprocess.PIPE,
+                                      text=True,
+                                      check=False)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, r"\Alimitcurve: error: [^\n]*standard output[^\n]*No space left[^\n]*\n\Z")
 
 
 if __name__ == "__main__":

@@ -42,8 +42,7 @@ class Files(CommandLineTest):
         self.assert_fails(2, ["absent.csv", "No such file"], "replay", "--trace", self.directory / "absent.csv",
                           *FINGER)
         self.assert_fails(2, "directory", "replay", "--trace", self.directory, *FINGER)
-        endless = self.directory / "endless.csv"
-        endless.write_bytes(b"x" * 3_000_000)
+        endless = self.file("endless.csv", "x" * 3_000_000)
         self.assert_fails(2, ["endless.csv:1:", "million"], "replay", "--trace", endless, *FINGER)
 
     def test_gains_are_checked_as_replay_reads_the_trace(self):

@@ -18,8 +18,9 @@ class Units(CommandLineTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         return [line.removeprefix("limitcurve: warning: ") for line in done.stderr.splitlines() if "warning: " in line]
 
-    def trace(self, *samples, head="time,x,y,z,twist"):
-        return self.file("trace.csv", "\n".join([head, *(",".join(map(repr, sample)) for sample in samples)]) + "\n")
+    def trace(self, *samples, name="trace"):
+        return self.file(name + ".csv",
+                         "time,x,y,z,twist\n" + "".join(",".join(map(repr, sample)) + "\n" for sample in samples))
 
     def test_every_patch_in_millimetres(self):
         twists = self.file("twists.csv", "vx,vy,omega\n0.01,0,0\n")
@@ -35,85 +36,82 @@ class Units(CommandLineTest):
                 self.assertEqual(
                     [f"patch '{patch}': {across} m across: is it in metres?"] if across else [],
                     [line for line in self.asked(*command, "--patch", patch) if "metres" in line and "across" in line])
-        for kind, head, scale in (("points", "x,y,load", 1), ("polygon", "x,y", 1), ("image", None, 1)):
-            corners = [(0, 0, 1), (0.02, 0, 1), (0.02, 0.01, 1), (0, 0.01, 1)]
-            for times in (1, 1000):
-                text = "1,2\n3,4\n" if head is None else head + "\n" +"".join(",".join(
-                    repr(value * (times if i < 2 else 1))
-                    for i, value in enumerate(corner[:head.count(",") + 1])) + "\n"
-                                                                              for corner in corners)
-                patch = f"{kind}:{self.file('p.csv', text)}" + (f",pixel={0.001 * times}" if head is None else "")
-                self.assertEqual(len(self.asked("patch", "--twists", twists, "--patch", patch)), times > 1, patch)
+        corners = "0,0,1\n{0},0,1\n{0},{1},1\n".format
+        for kind, head, more in (("points", "x,y,load\n", ""), ("polygon", "x,y,n\n", ""), ("image", "", ",pixel=")):
+            for scale in (1, 1000):
+                text = corners(0.02 * scale, 0.01 * scale) if head else "1,2\n3,4\n"
+                patch = f"{kind}:{self.file('p.csv', head + text)}" + (f"{more}{0.001 * scale}" if more else "")
+                self.assertEqual(len(self.asked("patch", "--twists", twists, "--patch", patch)), scale > 1, patch)
         self.assertEqual(len(self.asked("patch", "--twists", twists, "--patch", "ellipse:law=hertz,a=0.3,b=0.2")), 1)
 
     def test_loads_moments_and_turns(self):
-        hold = ["hold", *LAW]
-        data = lambda head, *lines: self.file(f"{abs(hash(lines))}.csv", "\n".join([head, *lines]) + "\n")
+        hold, pad, replay = "hold $LAW", "hold --patch rectangle:x=0.02,y=0.01 --mu 0.5", "replay $LAW $FINGER --trace"
+        coupled = "pivot --case coupled --duration 0.01 --operator"
         grip = self.file("grip.csv", "time,load\n0,2000\n1,1990\n")
-        turned = [(0.1 * i, 0, 0, -0.001, 30.0 * i) for i in range(4)]
-        wraps = [(0.1 * i, 0, 0, -0.001, math.remainder(0.5 * i, 2 * math.pi)) for i in range(20)]
-        replay = lambda *samples: [
-            "replay", "--trace",
-            data("time,x,y,z,twist", *(",".join(map(repr, sample)) for sample in samples)), *LAW, *FINGER
-        ]
-        slips = ["load,force,moment"
-                 ] + [f"{0.5 + 0.01 * i},{(1 + 0.02 * i) * (1 - 0.1 * (i % 7))},{1e-3 * (i % 7)}" for i in range(20)]
-        for command, questions in (([*hold, "--force", "1", "--moment",
-                                     "2"], ["a load of ", "a moment of 2 N m beside a force of 1 N"
-                                            ]), ([*hold, "--force", "1", "--moment",
-                                                  "0.002"], []), ([*hold, "--force", "0.5", "--moment", "0.15"], []),
-                                   ([*hold, "--data",
-                                     data("force,moment,load", "1,0,0.5", "1,0,0.4",
-                                          "1,0,3")], ["the force exceeds the load in 2 of 3 rows"]),
-                                   ([*hold, "--data",
-                                     data("force,moment,load", "1,0,0.5", "1,0,3",
-                                          "1,0,5000")], ["a load of 5000 N"]), ([
-                                              "hold", "--patch", "rectangle:x=0.02,y=0.01", "--mu", "0.5", "--force",
-                                              "0,-1", "--moment", "-2"
-                                          ], ["a moment of -2"]), ([
-                                              "hold", "--patch", "rectangle:x=0.02,y=0.01", "--mu", "0.5", "--force",
-                                              "0,-1000", "--moment", "0"
-                                          ], ["a load of "]), (["p-curves", *LAW, "--loads",
-                                                                "1,1500"], ["a load of 1500 N"]),
-                                   (["c-curves", *LAW, "--loads", "1500", "--cors",
-                                     "0"], ["a load of 1500 N"]), (["translate", *LAW, "--load",
-                                                                    "400"], ["a load of 1600 N"]),
-                                   (["eval", "--law", "hertz", "--c", "1", "--load", "2000"], ["a load of"]), ([
-                                       "choose", "--law", "hertz", "--tolerance", "0.5", "--scene", "--loads",
-                                       "500,2000"
-                                   ], ["a load of"
-                                       ]), (["pivot", "--case", "exact", "--grip", grip, "--duration",
-                                             "0.01"], ["a load of 2000 N"]),
-                                   (["pivot", "--case", "coupled", "--operator", "target=30", "--duration",
-                                     "0.01"], ["target = 30 rad: is it in radians? 30deg"]),
-                                   (["pivot", "--case", "coupled", "--operator", "target=30deg", "--duration",
-                                     "0.01"], []),
-                                   (["pivot", "--case", "coupled", "--operator", "target=400deg", "--duration",
-                                     "0.01"], []), (replay(*turned), ["the twist changes by 30 rad up to time 0.1 s"
-                                                                      ]), (replay(*wraps), []), (replay(
-                                                                          (0, 0, 0, -2, 0)), ["a load of 2000 N"]),
-                                   (["fit", "ratio", "--data", data(*slips),
-                                     "--quiet"], []), (["fit", "ratio", "--data",
-                                                        data(*slips)], ["the force exceeds the load in "])):
+        slips = self.file(
+            "slips.csv", "load,force,moment\n" +
+            "".join(f"{0.5 + 0.01 * i},{(1 + 0.02 * i) * (1 - 0.1 * (i % 7))},{1e-3 * (i % 7)}\n" for i in range(20)))
+        loads = self.file("loads.csv", "force,moment,load\n1,0,0.5\n1,0,0.4\n1,0,3\n")
+        load = self.file("load.csv", "force,moment,load\n1,0,0.5\n1,0,3\n1,0,5000\n")
+        turned, wraps, deep = (self.trace(*samples, name=name) for name, samples in (
+            ("turned", [(0.1 * i, 0, 0, -0.001, 30.0 * i) for i in range(4)]),
+            ("wraps", [(0.1 * i, 0, 0, -0.001, math.remainder(0.5 * i, 2 * math.pi)) for i in range(20)]),
+            ("deep", [(0, 0, 0, -2, 0)])))
+        for command, *questions in (
+            (f"{hold} --force 1 --moment 2", "a load of ", "a moment of 2 N m beside a force of 1 N"),
+            (f"{hold} --force 1 --moment 0.002",), (f"{hold} --force 0.5 --moment 0.15",),
+            (f"{hold} --data {loads}", "the force exceeds the load in 2 of 3 rows"),
+            (f"{hold} --data {load}", "a load of 5000 N"), (f"{pad} --force 0,-1 --moment -2", "a moment of -2"),
+            (f"{pad} --force 0,-1000 --moment 0", "a load of "), ("p-curves $LAW --loads 1,1500", "a load of 1500 N"),
+            ("c-curves $LAW --loads 1500 --cors 0", "a load of 1500 N"),
+            ("translate $LAW --load 400", "a load of 1600 N"),
+            ("eval --law hertz --c 1 --load 2000", "a load of"),
+            ("choose --law hertz --tolerance 0.5 --scene --loads 500,2000", "a load of"),
+            (f"pivot --case exact --duration 0.01 --grip {grip}", "a load of 2000 N"),
+            (f"{coupled} target=30", "target = 30 rad: is it in radians? 30deg"), (f"{coupled} target=30deg",),
+            (f"{coupled} target=400deg",), (f"{replay} {turned}", "the twist changes by 30 rad up to time 0.1 s"),
+            (f"{replay} {wraps}",), (f"{replay} {deep}", "a load of 2000 N"),
+            (f"{replay} {wraps} --surface sphere:radius=25", "50 m across: is it in metres?", "a load of 24999 N"),
+            (f"fit ratio --quiet --data {slips}",), (f"fit ratio --data {slips}", "the force exceeds the load in ")):
+            words = [one for word in command.split() for one in {"$LAW": LAW, "$FINGER": FINGER}.get(word, [word])]
             said = [
-                line for line in self.asked(*command)
+                line for line in self.asked(*words)
                 if not any(word in line for word in ("inside the curve", "scatter", "grip begins", "contact radius"))
             ]
             self.assertEqual(len(said), len(questions), (command, said))
             for line, question in zip(said, questions):
                 self.assertIn(question, line)
 
+    def test_radii_in_millimetres_and_beyond_their_samples(self):
+        samples, moments = (f"{kind}s:{self.file(kind + '.csv', text)}"
+                            for kind, text in (("sample", "load,radius\n1,0.004\n2,0.005\n4,0.006\n"),
+                                               ("moment", "load,moment\n1,0.001\n2,0.002\n4,0.004\n")))
+        beyond, metres = "extrapolated: its samples have loads from 1 to 4 N", "in metres?"
+        for law, loads, told in (("constant:a=5", "1,2", metres), ("constant:a=0.1", "1,2", ""),
+                                 ("hertz:R=8000,E=0.2", "1,2", metres), (samples, "1.5,3", ""),
+                                 (samples, "1.5,4.5", beyond), (moments, "0.5,3", beyond)):
+            common = ["--law", "hertz", "--radius-law", law, "--mu", "0.5"]
+            ends = loads.split(",")
+            trace = self.trace(*((i / 1000, 0, 0, -float(load) / 1000, 0) for i, load in enumerate(ends)))
+            for call in (["p-curves", "--loads", loads], ["c-curves", "--loads", loads, "--cors", "0,0.001,inf"],
+                         ["translate", "--load", ends[0], "--loads", loads], ["replay", "--trace", trace, *FINGER],
+                         ["choose", "--tolerance", "0.5", "--scene", "--loads", loads]):
+                said = self.asked(*call, *common)
+                self.assertEqual(len(said), told != "", (call, law, said))
+                self.assertIn(told, "".join(said))
+        # What is fitted, too.
+        for scale in (1, 1e-3):
+            radii = "".join(f"{load},{scale * 4 * load ** 0.3}\n" for load in [1, 2, 4, 8])
+            slips = "".join(f"{load},{0.5 * load * f},{0.5 * load * scale * 5 * m}\n" for load in [1, 2, 4]
+                            for f, m in [(0, 0.589), (1, 0), (0.86, 0.234)])
+            for model, text in (("load", "load,radius\n" + radii), ("ratio", "load,force,moment\n" + slips)):
+                done = run("fit", model, "--data", self.file("measured.csv", text))
+                self.assertEqual(done.stderr.count(metres), scale == 1, model)
+
     def test_units_never_touch_strings_and_are_refused_by_name(self):
         self.assert_close(
             rows("hold", *LAW, "--force", "1000", "--moment", "0", "--units", "force=mN")[0]["hold_load"],
             1 / 0.6, 1e-12)
-        for bad in ("moment=mmN", "force=lb", "mass=kg", "time=min", "moment=Nms"):
-            self.assert_fails(2, ["--units", f"'{bad}'", "lbfin", "time=s|ms"], "hold", *LAW, "--force", "1",
-                              "--moment", "0", "--units", bad)
-        self.assert_fails(2, "--units: goes with", "hold", *LAW, "--mass", "1", "--offset", "0.01", "--units",
-                          "force=N")
-        self.assert_fails(2, "--columns: goes with --data", "hold", *LAW, "--force", "1", "--moment", "0", "--columns",
-                          "force=F")
         push = self.file(
             "push.csv", "force_x,force_y,moment,dx,dy,dtheta\n" +
             "".join(f"1,{0.01 * i},0.0001,0.01,{1e-4 * i},0.0001\n" for i in range(4)))
