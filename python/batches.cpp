@@ -174,9 +174,9 @@ void add_batches(nb::module_& module) {
       "= 'closest-point', " +
       parameters_signature() + ") -> None";
   batch.def("__repr__", [](const PyBatch& self) {
-    const bool is_single = self.contacts.index() == 1;
-    return "<Batch of " + nb::cast<std::string>(nb::str(self.given["n"])) + " contacts on " +
-           nb::cast<std::string>(nb::repr(self.curve)) + (is_single ? ", float32>" : ">");
+    const std::size_t count = std::visit([](const auto& contacts) { return contacts->size(); }, self.contacts);
+    return "<Batch of " + std::to_string(count) + " contacts on " + nb::cast<std::string>(nb::repr(self.curve)) +
+           (self.contacts.index() == 1 ? ", float32>" : ">");
   });
   define<PyBatch*>(
       batch, signature,
