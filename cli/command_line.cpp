@@ -71,7 +71,7 @@ struct Entry {
 std::vector<Entry> make_entries() {
   using Make = std::unique_ptr<Subcommand> (*)();
   const std::initializer_list<std::pair<const char*, std::vector<Make>>> groups{
-      {"Answers",
+      {"Questions",
        {
            make_hold,
            make_translate,
@@ -81,9 +81,9 @@ std::vector<Entry> make_entries() {
            make_fit,
 #endif
        }},
-      {"Numbers",
+      {"Curves and tables",
        {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_patch}},
-      {"Motions", {make_replay, make_pivot}}};
+      {"Simulations", {make_replay, make_pivot}}};
   std::vector<Entry> entries;
   for (const auto& [group, makes] : groups) {
     for (const Make make : makes) entries.push_back({make(), group});
@@ -107,10 +107,10 @@ void declare(CLI::App& whole, Entry& entry, bool all) {
         if (found == names.end()) throw std::invalid_argument("got '" + text + "', expected table, csv or json");
         entry.format = static_cast<Format>(found - names.begin());
       },
-      "Form of the results (default: table on a terminal, otherwise csv)", Presence::optional);
-  common.flag("--quiet", entry.quiet, "Write nothing but errors to standard error");
+      "Output format (default: table on a terminal, otherwise csv)", Presence::optional);
+  common.flag("--quiet", entry.quiet, "Print errors only, no notes or warnings");
   entry.app->set_help_flag("-h,--help",
-                           options.has_rare() ? "This help; --help-all shows rare options, too" : "This help");
+                           options.has_rare() ? "Show this help; --help-all adds rare options" : "Show this help");
 }
 
 void check_subcommand(const std::string& name, const std::vector<Entry>& entries) {
@@ -183,14 +183,14 @@ void Options::flag(const std::string& name, bool& value, const std::string& help
 
 void run_command_line(std::vector<std::string> arguments, Results results) {
   CLI::App app(
-      "Friction limit curves of soft fingers: exact, tabulated, approximated; and a soft finger for a servo loop.",
+      "Friction limit curves of soft fingers, exact, tabulated or approximated, and a soft finger for a servo loop.",
       "limitcurve");
   app.formatter(std::make_shared<Help>(""));
-  app.set_help_flag("-h,--help", "This help");
+  app.set_help_flag("-h,--help", "Show this help");
   app.set_version_flag("-V,--version", "limitcurve " + std::string(version), "The version");
   app.require_subcommand(1);
   app.footer(
-      "Results go to standard output, to a terminal as a table, elsewhere as CSV; messages to standard error.\n"
+      "Results go to standard output, as a table on a terminal and as CSV elsewhere. Messages go to standard error.\n"
       "Exit status: 0 success, 1 the job failed, 2 wrong usage or bad input.\n"
       "limitcurve help SUBCOMMAND shows its options and an example.");
   // "help", "help SUBCOMMAND" and --help-all are ways to ask for --help.

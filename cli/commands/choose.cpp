@@ -23,72 +23,63 @@ constexpr std::array candidate_columns = std::to_array<ListedColumn<Candidate>>(
     {"model", of<&Candidate::model>},
     {"parameter", of<&Candidate::parameter>, "as in validate (table: its tolerance; exact: nan)"},
     {"error", of<&Candidate::error>,
-     "the largest, of the radius on a ray in the normalised plane: whether a contact holds; how it moves is a question "
-     "for --scene"},
+     "the largest radial error in the normalised plane, which decides whether a contact holds (for how it moves, use "
+     "--scene)"},
     {"nanoseconds", of<&Candidate::nanoseconds>,
-     "time to compute one wrench from its slip twist on one machine (compare ratios only)"},
-    {"chosen", of<&Candidate::chosen>, "true for the cheapest model whose error is at most the tolerance"},
+     "the time to compute a wrench from its slip twist, on one machine (compare ratios only)"},
+    {"chosen", of<&Candidate::chosen>, "true for the cheapest model within the tolerance"},
 });
 
 class Choose final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {
-        "choose", "Finds the cheapest limit curve that is good enough, and lists the others",
-        ColumnList(candidate_columns).help() +
-            "--explain gives the reasons on standard error.\n"
-            "With --patch instead of --law the contact is not round (see 'limitcurve patch'). Candidates are the disc "
-            "with the least\n"
-            "largest error (parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 + m0^2 "
-            "w^2) (parameter: m0)\n"
-            "and the patch itself. error is the largest relative error of power over all sliding twists.\n"
-            "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or "
-            "CURVE/PROJECTION, with the\n"
-            "contact radius of the mean load, or with the load-dependent radius if the name ends in '/a(P)'. Without "
-            "--radius-law and\n"
-            "--mu-r a is 5 mm. error is the change of the rendered wrench as a fraction of the friction limits: twice "
-            "the largest\n"
-            "change in a thousand slides and twists (in turn and together, with reversals and turns, within the rates, "
-            "distances and\n"
-            "loads of the scene). nanoseconds is the time of a step of one finger that slips; a batch steps several "
-            "contacts at once.\n"
-            "Standard error says whether the scene needs torsion, coupling, a load-dependent radius, the exact curve "
-            "and the closest\n"
-            "point, and gives the replay options of the choice. Exit 1 if no step is within the tolerance. A note "
-            "appears where k_r/k_l\n"
-            "differs more than tenfold from (mu_r/mu_l)^2, the ratio that the radial projection assumes.",
-        "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 "
-        "--twist-stiffness 0.036"};
+    return {"choose", "Find the cheapest limit curve that is accurate enough",
+            ColumnList(candidate_columns).help() +
+                R"(With --patch instead of --law the contact is not round (see 'limitcurve patch'). Candidates are the
+best disc (smallest maximum error; parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 +
+m0^2 w^2) (parameter: m0) and the patch itself. error is the largest relative error of the friction power over all
+slip twists.
+With --scene the command chooses the whole step of the god-object. model is 'no torsion' or CURVE/PROJECTION; it uses
+the contact radius of the mean load, or that of the current load if the name ends in '/a(P)'. Without --radius-law and
+--mu-r, a is 5 mm. error is twice the largest change of the wrench, as a fraction of the friction limits, in a
+thousand slides and twists (one after the other and together, with reversals and turns) within the loads, rates and
+distances of the scene. nanoseconds is the time of one step of a slipping finger; a batch steps several at once.
+Messages say whether the scene needs torsion, coupling, a load-dependent radius, the exact curve and the closest
+point, and give the options of replay for the chosen step. Exit status 1 if no step is within the tolerance. A note
+appears if k_r/k_l is more than ten times above or below (mu_r/mu_l)^2, the ratio that the radial projection assumes.)",
+            "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 "
+            "--twist-stiffness 0.036"};
   }
 
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
-    options.text("--patch", patch_, "PATCH", "Instead of --law: a pressure patch of any shape");
+    options.text("--patch", patch_, "PATCH", "Instead of --law: a contact that is not round");
     options.number("--tolerance", tolerance_, positive,
-                   "Largest error, relative (0.01 is 1 %), from 1e-10 to 1; with --scene from 1e-6",
+                   "Largest relative error you accept (0.01 is 1 %), from 1e-10 to 1; with --scene from 1e-6",
                    Presence::required);
-    options.flag("--explain", explain_, "Give the reason for each candidate on standard error");
+    options.flag("--explain", explain_, "Print the reason for each candidate");
     options.flag("--scene", scene_wanted_,
-                 "Choose the step of a scene: limit curve, projection, and whether torsion matters");
-    options.number("--mu", mu_, positive, "Scene: coefficient of friction (default 0.5)");
+                 "Choose a whole simulation step: curve, projection, and whether torsion matters");
+    options.number("--mu", scene_.mu, positive, "Scene: friction coefficient");
     options.radius_law(radius_law_);
     options.number("--mu-r", scene_.mu_r, positive,
-                   "Scene: mu_r [m]; the moment limit is mu_r P, instead of the radius law's");
-    options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)",
+                   "Scene, instead of --radius-law: mu_r [m]; the moment limit is then mu_r P");
+    options.numbers("--loads", loads_, positive, "Scene: smallest and largest load [N] (default 0.5,2)",
                     Presence::optional);
-    options.number("--stiffness", stiffness_, positive, "Scene: k_l [N/m] (default 1000)");
-    options.number("--twist-stiffness", twist_stiffness_, positive, "Scene: k_r [N m/rad] (default 0.025)");
+    options.number("--stiffness", scene_.stiffness, positive, "Scene: contact stiffness k_l [N/m]");
+    options.number("--twist-stiffness", scene_.twist_stiffness, positive, "Scene: torsional stiffness k_r [N m/rad]");
     options.number("--sample-time", scene_.sample_time, positive, "Scene: sample time [s]");
     options.number("--slide-speed", scene_.slide_speed, non_negative, "Scene: largest sliding speed [m/s]");
-    options.number("--twist-rate", scene_.twist_rate, non_negative, "Scene: largest rate of the twist [rad/s]");
-    options.number("--slide", slide_, non_negative,
-                   "Scene: largest distance from the point of first contact [m] (default: no limit)");
-    options.number("--twist", twist_, non_negative,
-                   "Scene: largest twist since first contact [rad] (default: no limit)");
+    options.number("--twist-rate", scene_.twist_rate, non_negative, "Scene: largest twist rate [rad/s]");
+    options.number("--slide", scene_.slide, non_negative, "Scene: largest distance from the first contact [m]");
+    options.number("--twist", scene_.twist, non_negative, "Scene: largest twist since the first contact [rad]");
   }
 
   void run(const Results& results) override {
     if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+    if (!scene_wanted_) refuse_scene_options(results);
+    if (!patch_.empty() && scene_wanted_)
+      throw std::invalid_argument("--scene works with --law only, not with --patch: a scene needs a round contact");
     if (scene_wanted_) {
       take_own_radii(radius_law_, scene_.mu_r.has_value(), law_, *results.messages);
     } else if (law_ != nullptr) {
@@ -96,7 +87,6 @@ class Choose final : public Subcommand {
     }
     if (radius_law_ && scene_.mu_r) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
     note_profile_error(law_, *results.messages);
-    if (!patch_.empty() && scene_wanted_) throw std::invalid_argument("--scene: goes with --law, got --patch");
     scene_wanted_ ? choose_for_scene(results) : choose_curve(results);
   }
 
@@ -127,18 +117,23 @@ class Choose final : public Subcommand {
     rows.finish();
   }
 
+  static void refuse_scene_options(const Results& results) {
+    std::string names;
+    for (const char* const option : {"--mu", "--radius-law", "--mu-r", "--loads", "--stiffness", "--twist-stiffness",
+                                     "--sample-time", "--slide-speed", "--twist-rate", "--slide", "--twist"}) {
+      if (results.has(option)) names.append(names.empty() ? "" : ", ").append(option);
+    }
+    if (!names.empty()) throw std::invalid_argument(names + ": no effect without --scene; add it, or leave them out");
+  }
+
   void choose_for_scene(const Results& results) {
     scene_.law = law_;
-    if (mu_) scene_.mu = *mu_;
-    if (stiffness_) scene_.stiffness = *stiffness_;
-    if (twist_stiffness_) scene_.twist_stiffness = *twist_stiffness_;
     if (radius_law_) scene_.radius_law = radius_law_->of(scene_.mu, law_);
-    if (slide_) scene_.slide = *slide_;
-    if (twist_) scene_.twist = *twist_;
     if (!loads_.empty()) {
-      if (loads_.size() > 2)
+      if (loads_.size() > 2 || loads_.front() > loads_.back()) {
         throw std::invalid_argument("--loads: got " + std::to_string(loads_.size()) +
-                                    " loads, expected the least and the largest");
+                                    " loads, expected two, the smaller first, such as 0.5,2");
+      }
       scene_.least_load = loads_.front();
       scene_.most_load = loads_.back();
     }
@@ -153,7 +148,7 @@ class Choose final : public Subcommand {
     if (!radius_law_ && !scene_.mu_r) {
       results.messages->say("limitcurve: without --radius-law and --mu-r the contact radius is taken as a = 5 mm");
     }
-    results.messages->say("limitcurve: " + how_to_replay(*choice.chosen));
+    results.messages->say("limitcurve: " + how_to_replay(results, *choice.chosen));
     godobject::FingerParameters finger;
     finger.mu = scene_.mu;
     finger.radius_law = scene_.radius_law;
@@ -165,13 +160,13 @@ class Choose final : public Subcommand {
   }
 
   /// The options of replay that the scene's own options do not set.
-  [[nodiscard]] std::string how_to_replay(const godobject::ReplayOptions& step) const {
+  [[nodiscard]] std::string how_to_replay(const Results& results, const godobject::ReplayOptions& step) const {
     std::string text = "replay it with --curve " + std::string(to_string(step.curve)) + " --projection " +
                        std::string(to_string(step.projection));
     if (step.curve == godobject::CurveKind::table) text += " --tolerance " + format_number(step.tolerance, 6);
-    if (!mu_) text += " --mu " + format_number(scene_.mu);
-    if (!stiffness_) text += " --stiffness " + format_number(scene_.stiffness);
-    if (!twist_stiffness_) text += " --twist-stiffness " + format_number(scene_.twist_stiffness);
+    if (!results.has("--mu")) text += " --mu " + format_number(scene_.mu);
+    if (!results.has("--stiffness")) text += " --stiffness " + format_number(scene_.stiffness);
+    if (!results.has("--twist-stiffness")) text += " --twist-stiffness " + format_number(scene_.twist_stiffness);
     if (step.finger.mu_r == 0.0) return text + " --mu-r 0" + (radius_law_ ? " instead of --radius-law" : "");
     const RadiusLaw& radius_law = step.finger.radius_law;
     if (!scene_.mu_r && (!radius_law_ || radius_law.depends_on_load() != scene_.radius_law.depends_on_load())) {
@@ -186,13 +181,8 @@ class Choose final : public Subcommand {
   bool explain_ = false;
   bool scene_wanted_ = false;
   godobject::Scene scene_;
-  std::optional<double> mu_;
-  std::optional<double> stiffness_;
-  std::optional<double> twist_stiffness_;
   std::optional<RadiusLawArgument> radius_law_;
   std::vector<double> loads_;
-  std::optional<double> slide_;
-  std::optional<double> twist_;
 };
 
 }  // namespace

@@ -13,20 +13,19 @@ namespace {
 class Curve final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {
-        "curve", "The unit limit curve at evenly spaced slip angles",
-        "Columns: c in contact radii, from 0 (pure twist) to inf (pure slide); force in units of mu P and moment in\n"
-        "units of mu P a; x = F/F_max and y = M/M_max, the paper's normalised plane.\n"
-        "--half-spaces N: at most N inequalities inside the limit surface instead, for a planner, with mu P = 1 and a "
-        "= 1: see\n"
-        "'limitcurve patch'. For a radius a divide the moments of the rows by a, and multiply those of the vertices.",
-        "limitcurve curve --law uniform --points 181"};
+    return {"curve", "Compute the unit limit curve at even slip angles",
+            "Columns: c in contact radii, from 0 (pure twist) to inf (pure slide), force in units of mu P, moment in\n"
+            "units of mu P a, and x = F/F_max and y = M/M_max, the paper's normalised plane.\n"
+            "--half-spaces: inequalities inside the limit surface for mu P = 1 and a = 1; columns as in 'limitcurve "
+            "patch'. For a radius a,\ndivide the moments of rows by a, and multiply those of vertices by a.",
+            "limitcurve curve --law uniform --points 181"};
   }
 
   void declare(Options& options) override {
     options.law(law_);
     options.count("--points", points_, 2, 10'000'000, "Number of points");
-    options.count("--half-spaces", half_spaces_, 8, 1'000'000, "Instead of points: rows of inequalities");
+    options.count("--half-spaces", half_spaces_, 8, 1'000'000,
+                  "Instead of points: at most N inequalities, for a planner");
   }
 
   void run(const Results& results) override {

@@ -17,20 +17,21 @@ namespace {
 class Eval final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"eval", "Friction force and moment at given distances of the centre of rotation (eq. 17)",
-            "Columns: c [m], force [N], moment [N m], and bounds on their absolute errors.\n"
-            "Without radius, load and mu, c is in contact radii and the wrench in units of (mu P, mu P a).",
-            "limitcurve eval --law hertz --c 0.25,0.5,1,inf"};
+    return {
+        "eval", "Compute friction force and moment at given centres of rotation (eq. 17)",
+        "Columns: c [m], force [N], moment [N m], and bounds on their absolute errors.\n"
+        "Without --radius, --load and --mu, c is in contact radii, force in units of mu P, moment in units of mu P a.",
+        "limitcurve eval --law hertz --c 0.25,0.5,1,inf"};
   }
 
   void declare(Options& options) override {
     options.law(law_);
     options.numbers("--c", distances_, signed_distance,
-                    "Distances of the centre of rotation from the contact centre [m], such as 0,0.5,inf");
+                    "Distances from the contact centre to the centre of rotation [m], such as 0,0.5,inf");
     options.number("--radius", radius_, positive, "Contact radius a [m] (default 1)");
     options.number("--load", load_, non_negative, "Normal load P [N]");
     options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]");
-    options.choice("--method", method_, method_names(), "Method that evaluates eq. (17)");
+    options.choice("--method", method_, method_names(), "Method for eq. (17): {}");
   }
 
   void run(const Results& results) override {

@@ -36,66 +36,57 @@ constexpr std::array estimate_columns = std::to_array<ListedColumn<Fitted>>({
        return std::isnan(row.estimate.std_error) ? std::nullopt : std::optional(row.estimate.std_error);
      },
      "standard error; empty without data, because a curve has no noise"},
-    {"unit", of<&Fitted::estimate, &fit::Estimate::unit>, "of both"},
+    {"unit", of<&Fitted::estimate, &fit::Estimate::unit>, "of value and std_error"},
     {"note", of<&Fitted::note>, "model and assumptions"},
 });
 
 class Fit final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {
-        "fit", "Fits a friction model to measured slips, or an approximation to the exact curve",
-        "Models, and the CSV columns that --data must have:\n"
-        "ellipse: the nearest ellipse, to slips load,force,moment[,sigma_force,sigma_moment] [N, N, N m] or, with "
-        "--law and no data,\n"
-        "to the exact unit curve.\n"
-        "ratio: mu, mu_r and the contact radius that they imply under --law (default hertz), from slips; or, from "
-        "published\n"
-        "ratio,ratio_sd[,n] of several materials (mean and standard deviation [m] of n measurements), their weighted "
-        "mean and a test\n"
-        "whether one ratio explains them: chi_squared, degrees_of_freedom, p_value (the probability of more scatter). "
-        "Without n:\n"
-        "chi_squared_per_n, and n_for_p_0.05, the n from which one ratio is rejected.\n"
-        "law: the same for --law, or for whichever law explains the slips best.\n"
-        "load: a(P) or mu_r(P) = c P^gamma, from load,radius[,sigma_radius] or load,moment[,sigma_moment].\n"
-        "friction: the coefficient of a contact that is not round (--patch, see 'limitcurve patch'), from pushes that "
-        "slid:\n"
-        "force_x,force_y,moment,dx,dy,dtheta about the patch's origin [N, N m, m, rad]. mu is the mean of power over "
-        "H; drift is the\n"
-        "slope of power over H against the rotation share |w| m0/sqrt(v^2 + w^2 m0^2), divided by the mean: 0 if the "
-        "patch explains\n"
-        "the pushes. Direction errors bias mu low: 20 % cost 1 %. mu_ellipsoid and drift_ellipsoid use the ellipsoid\n"
-        "sqrt(v^2 + m0^2 w^2) instead of H.\n" +
-            ColumnList(estimate_columns).help() +
-            "Warnings go to standard error; its last line has the replay options and FingerParameters fields to use, "
-            "unless the data\n"
-            "reject the model.",
-        "limitcurve fit ellipse --law hertz"};
+    return {"fit", "Fit a friction model to measured slips, or an approximation to the exact curve",
+            R"(Models, and the columns that --data must have:
+ellipse: the best ellipse, for slips load,force,moment[,sigma_force,sigma_moment] [N, N, N m], or for the exact unit
+curve if you give --law without --data.
+ratio: mu, mu_r, and the contact radius they imply under --law (default hertz), from slips. Or, from published values
+ratio,ratio_sd[,n] of several materials (mean and standard deviation [m] of n measurements), their weighted mean, and
+a test whether one ratio explains them all: chi_squared, degrees_of_freedom, p_value (the chance of more scatter).
+Without n: chi_squared_per_n, and n_for_p_0.05, the n from which one ratio would be rejected.
+law: the same for --law, or for the law that explains the slips best.
+load: a(P) or mu_r(P) = c P^gamma, from load,radius[,sigma_radius] or load,moment[,sigma_moment].
+friction: mu of a contact that is not round (--patch, see 'limitcurve patch'), from pushes that slid:
+force_x,force_y,moment,dx,dy,dtheta about the patch's origin [N, N m, m, rad]. mu is the mean of power/H; H is the
+power for mu P = 1. drift is its slope against the rotation share |w| m0/sqrt(v^2 + w^2 m0^2), over the mean: 0 if the
+patch explains the pushes. Direction errors bias mu low: 20 % cost 1 %. mu_ellipsoid and drift_ellipsoid use the
+ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
+)" + ColumnList(estimate_columns).help() +
+                "The last message lists options for replay and fields for FingerParameters, unless the data reject the "
+                "model.",
+            "limitcurve fit ellipse --law hertz"};
   }
 
   void declare(Options& options) override {
-    options.choice("MODEL", kind_, fit::kind_names, "What to fit", Presence::required);
-    options.text("--data", data_, "FILE", "CSV of measurements, or - for standard input");
+    options.choice("MODEL", kind_, fit::kind_names, "What to fit: {}", Presence::required);
+    options.text("--data", data_, "FILE", "CSV file of measurements, or - for standard input");
     options.file_columns(file_columns_);
     options.least_load(file_columns_);
     options.law(settings_.law, Presence::optional);
-    options.text("--patch", patch_, "PATCH", "For friction: the pressure patch");
-    options.number("--load", load_, positive, "For friction: normal load P [N]; without it mu is mu P [N]");
-    options.choice("--criterion", settings_.criterion, fit::criterion_names,
-                   "What an approximation of the exact curve minimises");
+    options.text("--patch", patch_, "PATCH", "For friction: the contact that was pushed");
+    options.number("--load", load_, positive, "For friction: normal load P [N]; without it the result mu is mu P [N]");
+    options.choice("--criterion", settings_.criterion, fit::criterion_names, "For ellipse --law, what to minimise: {}");
     options.choice(
         "--loss", settings_.loss.kind, fit::loss_names,
-        "Loss function; huber and cauchy resist outliers. edge is for a log without marks, under a law: rows "
+        "Loss function: {}; huber and cauchy resist outliers. edge is for a log without marks, under a law: rows "
         "may also lie below the limit, so it finds the limits that the wrench reaches and never exceeds");
     options.choice("--load-model", settings_.load_model, fit::load_model_names,
-                   "For load: growth of the radius, c P^gamma with gamma 0, 1/3 or free; or the best of them");
+                   "For load: {}; gamma of c P^gamma is 0, 1/3 or free");
     options.number("--gamma", settings_.gamma, finite, "Exponent of the contact radius a = c P^gamma, from -0.5 to 1");
-    options.flag("--fit-gamma", settings_.fit_gamma, "Fit gamma to the data, too");
+    options.flag("--fit-gamma", settings_.fit_gamma, "Fit gamma to the data as well");
     options.flag("--covariance", covariance_, "With --data: add a column covariance_NAME for each parameter");
     options.flag("--residuals", residuals_,
-                 "Write, instead of the parameters, by how many standard deviations each slip lies outside the fitted "
-                 "curve, and its row in the data");
-    options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius above this [m]");
+                 "Print for each slip how many standard deviations it lies outside the curve, and its row in the data, "
+                 "instead of the parameters");
+    options.number("--largest-radius", settings_.largest_radius, positive,
+                   "Warn if the contact radius is larger than this [m]");
   }
 
   void run(const Results& results) override {

@@ -49,39 +49,33 @@ ColumnList<Held> hold_columns(bool is_round) {
       {"moment", of<&Held::need, &Need::moment>},
   });
   static constexpr std::array load = std::to_array<ListedColumn<Held>>({
-      {"hold_load", of<&Held::load>, "[N], of a patch the total of its points, inf if no load holds"},
+      {"hold_load", of<&Held::load>, "[N] of one contact (of a patch the total over its points), inf if no load holds"},
   });
   return (is_round ? ColumnList(round) : ColumnList(patch)).add(load);
 }
 
 constexpr std::array margin_column = std::to_array<ListedColumn<Held>>({
     {"margin", of<&Held::margin>,
-     "if --data has a column load [N], at that load: 1 without friction, 0 on the limit and beyond, as in 'limitcurve "
-     "replay --details'"},
+     "if --data has a column load: 1 if the contact uses no friction at that load, 0 if it slips"},
 });
 constexpr std::array error_column = std::to_array<ListedColumn<Held>>({
     {"hold_error", of<&Held::error>,
-     "[N], if --law is measured: an estimate of how far hold_load is off because the pressure is known only at "
-     "samples"},
+     "[N], if --law is measured: the estimated error of hold_load, because the pressure is sampled"},
 });
 
 class Hold final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {
-        "hold", "How hard to grip: the smallest load that carries a force and a moment without slip",
-        "Describe the contact by --mu, --law, and --radius-law or --mu-r; describe what it must carry in one of three "
-        "ways: --force and\n"
-        "--moment; --data with one force and moment per row; or --fingers 2 --mass M --offset L, an object held level "
-        "beside its centre\n"
-        "of mass, of which each finger carries m g/2 and m g l/2, with hold_load as the grip of each. Signs do not "
-        "matter.\n"
-        "Contacts that are not round: replace --law and --radius-law by --patch P (see 'limitcurve patch'). Then "
-        "--force is FX,FY,\n"
-        "--data has fx,fy,moment, and the moment is about the patch's origin. With --mass gravity pulls along --down; "
-        "the centre of\n"
-        "mass is --offset from the origin towards (-Y, X), by default positive x.\n" +
-            hold_columns(true).add(margin_column).add(error_column).help(),
+        "hold", "Find how hard to grip: the smallest load that carries a force and a moment without slip",
+        R"(First describe the contact by --mu, --law, and --radius-law or --mu-r. Then say what it must carry:
+  (1) --force and --moment, whose signs do not matter
+  (2) --data, with one force and moment per row
+  (3) --mass m and --offset l: N fingers hold an object level. Each carries m g/N and m g l/N.
+Contacts that are not round: give --patch P instead of --law and --radius-law (see 'limitcurve patch'). --force is
+then FX,FY, --data has the columns fx,fy,moment, moments are about the patch's origin, and signs matter. With --mass,
+gravity pulls along --down, and the centre of mass is --offset from the origin towards (-Y, X), by default positive x.
+)" + hold_columns(true).add(margin_column).add(error_column).help(),
         "limitcurve hold --law hertz --radius-law hertz:R=0.008,E=2e5 --mu 0.8 --fingers 2 --mass 0.2 --offset 0.02"};
   }
 
@@ -89,25 +83,26 @@ class Hold final : public Subcommand {
     options.law(law_, Presence::optional);
     options.moment(torsion_);
     options.named("--curve", curve_, godobject::curve_kind_names(), godobject::parse_curve_kind,
-                  "Limit curve (default exact); with ellipse or box, --mu and --mu-r no law is needed");
-    options.text("--patch", patch_, "PATCH", "Instead of --law and --radius-law: a pressure patch");
+                  "Limit curve: {}; ellipse and box with --mu-r need no --law");
+    options.text("--patch", patch_, "PATCH", "Instead of --law and --radius-law: a contact that is not round");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu [1]", Presence::required);
-    options.numbers("--force", force_, finite, "Friction force F [N]; with --patch FX,FY", Presence::optional);
-    options.number("--moment", moment_, finite, "Friction moment M [N m]");
-    options.text("--data", data_, "FILE", "Instead of --force and --moment: CSV of them, or - for standard input");
+    options.numbers("--force", force_, finite, "Friction force F to carry [N]; with --patch FX,FY", Presence::optional);
+    options.number("--moment", moment_, finite, "Friction moment M to carry [N m]");
+    options.text("--data", data_, "FILE",
+                 "Instead of --force and --moment: a CSV file of them, or - for standard input");
     options.file_columns(columns_);
     options.least_load(columns_);
     options.count("--fingers", fingers_, 1, 100,
-                  "Instead of --force and --moment: number of fingers that share an object's weight (default 2)");
-    options.number("--mass", mass_, positive, "Mass of the object [kg]");
-    options.number("--offset", offset_, finite, "Distance of its centre of mass from the grip, level [m]");
-    options.numbers("--down", down_, finite, "With --patch and --mass: direction of the weight, X,Y (default 0,-1)",
+                  "Instead of --force and --moment: number of fingers that hold an object (default 2)");
+    options.number("--mass", mass_, positive, "Mass m of the object [kg]");
+    options.number("--offset", offset_, finite, "Horizontal distance l from the grip to its centre of mass [m]");
+    options.numbers("--down", down_, finite, "With --patch and --mass: direction of gravity, X,Y (default 0,-1)",
                     Presence::optional);
-    options.number("--gravity", gravity_, non_negative, "Gravity [m/s^2]");
+    options.number("--gravity", gravity_, non_negative, "Gravity g [m/s^2]");
   }
 
   void run(const Results& results) override {
-    const godobject::CurveKind kind = curve_.value_or(godobject::CurveKind::exact);
+    const godobject::CurveKind kind = curve_;
     if (patch_.empty()) law_ = law_if_needed(law_, kind, torsion_.mu_r.has_value());
     if (patch_.empty() == (law_ == nullptr))
       throw std::invalid_argument("expected one of --law and --patch, or --curve ellipse or box with --mu-r");
@@ -141,7 +136,8 @@ class Hold final : public Subcommand {
     if (torsion_.given())
       throw std::invalid_argument(
           "--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
-    if (curve_) throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
+    if (results.has("--curve"))
+      throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
     const Patch patch = read_patch(patch_, *results.messages);
     const auto least = [&](const Need& need) { return load_to_hold(patch, mu_, {need.fx, need.fy, need.moment}); };
     write(results, least, [&](const Need& need, double load) { return least(need) / load; }, {});
@@ -247,7 +243,7 @@ class Hold final : public Subcommand {
 
   Law law_;
   MomentArgument torsion_;
-  std::optional<godobject::CurveKind> curve_;
+  godobject::CurveKind curve_ = godobject::CurveKind::exact;
   std::string patch_;
   double mu_ = 0.0;
   std::vector<double> force_;

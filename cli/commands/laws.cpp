@@ -12,12 +12,12 @@ namespace {
 class Laws final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"laws", "Lists the pressure laws",
-            "Columns: law, an example of its grammar; moment_ratio, m0 = mu_r/(mu a); method, the one that 'auto' "
-            "selects (closed: of power:n\n"
-            "one smooth integral); error, a bound on the error of moment_ratio.\n"
-            "samples:FILE.csv is also a law: a measured profile with the columns radius,pressure. It has no row here.",
-            "limitcurve laws"};
+    return {
+        "laws", "List the pressure laws",
+        "Columns: law (an example you can pass to --law), moment_ratio (m0 = mu_r/(mu a)), method (the one that 'auto' "
+        "selects; closed,\nfor power:n, still needs one smooth integral), and error (a bound on the error of "
+        "moment_ratio).\nUnlisted: samples:FILE.csv, a measured profile with the columns radius,pressure.",
+        "limitcurve laws"};
   }
 
   void declare(Options&) override {}

@@ -18,17 +18,16 @@ class LoadCurves final : public Subcommand {
 
   [[nodiscard]] Manual manual() const override {
     const std::string plane =
-        "\nWith --stiffness and --twist-stiffness also r = force/k_l [m] and rho = moment/k_r [rad], the plane of the "
-        "paper's Fig. 5.";
+        "\nWith both stiffnesses also r = force/k_l [m] and rho = moment/k_r [rad] (paper, Fig. 5).";
     if (at_cors_) {
-      return {"c-curves", "Force and moment against load at fixed centres of rotation (paper, Fig. 4)",
+      return {"c-curves", "Compute force and moment against load at fixed centres of rotation (paper, Fig. 4)",
               "Columns: c [m], load P [N], force [N], moment [N m]." + plane,
               "limitcurve c-curves --law hertz --radius-law power:c=0.00207,gamma=0.259 --mu 0.8 --cors 0,0.002,inf "
               "--loads 0.5,1,2"};
     }
-    return {"p-curves", "Limit curves at fixed loads (paper, Fig. 4)",
-            "Columns: load P [N], c [m], force [N], moment [N m]; the points of each load are evenly spaced in slip "
-            "angle atan(c/a(P))." +
+    return {"p-curves", "Compute limit curves at fixed loads (paper, Fig. 4)",
+            "Columns: load P [N], c [m], force [N], moment [N m]; points are evenly spaced in the slip angle "
+            "atan(c/a(P))." +
                 plane,
             "limitcurve p-curves --law hertz --radius-law hertz:R=0.008,E=2e5 --mu 0.8 --loads 0.5,1,2"};
   }
@@ -39,9 +38,9 @@ class LoadCurves final : public Subcommand {
     options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]", Presence::required);
     if (at_cors_)
       options.numbers("--cors", distances_, distance,
-                      "Distances of the centre of rotation from the contact centre [m]");
+                      "Distances from the contact centre to the centre of rotation [m]");
     options.numbers("--loads", loads_, non_negative, "Normal loads P [N]");
-    if (!at_cors_) options.count("--points", points_, 2, 10'000'000, "Number of points of each curve");
+    if (!at_cors_) options.count("--points", points_, 2, 10'000'000, "Points per curve");
     options.number("--stiffness", stiffness_, positive, "k_l [N/m], for the columns r and rho");
     options.number("--twist-stiffness", twist_stiffness_, positive, "k_r [N m/rad], for the columns r and rho");
   }

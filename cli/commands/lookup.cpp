@@ -9,17 +9,16 @@ namespace {
 class Lookup final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"lookup", "Evaluates a table that 'limitcurve table' wrote",
-            "Columns: c in contact radii; force in units of mu P; moment in units of mu P a. A table that is "
-            "truncated, edited or in\n"
-            "another format is refused.",
+    return {"lookup", "Evaluate a table that 'limitcurve table' wrote",
+            "Columns: c in contact radii, force in units of mu P, and moment in units of mu P a. A table that was cut "
+            "off or edited\nis rejected.",
             "limitcurve lookup --table hertz.csv --c 0,0.5,1,inf"};
   }
 
   void declare(Options& options) override {
     options.text("--table", file_, "FILE", "Table, .csv or .json", Presence::required);
     options.numbers("--c", distances_, signed_distance,
-                    "Distances of the centre of rotation from the contact centre, in contact radii");
+                    "Distances from the contact centre to the centre of rotation, in contact radii");
   }
 
   void run(const Results& results) override {

@@ -7,6 +7,7 @@
 #include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
@@ -48,24 +49,23 @@ void Options::numbers(const std::string& name, std::vector<double>& values, Rang
 void Options::file_columns(FileColumns& columns) {
   value(
       "--columns", "LIST", [&columns](const std::string& list) { columns.read_names(list); },
-      "The file's names of columns, such as load=-Fz,force=Fx:Fy,moment=Fx:Fy:Fz:Tx:Ty:Tz: -Fz turns the sign, Fx:Fy "
-      "is "
-      "the length of a vector, and six names are F.T/Fz, the moment about the sensor's z through the contact, wherever "
-      "that is (Tz alone is about the sensor's axis); a name with : or , is in double quotes",
+      "Columns to read from the file: load=-Fz,force=Fx:Fy,moment=Fx:Fy:Fz:Tx:Ty:Tz reads -Fz as the load, the length "
+      "of (Fx, Fy) as the force, and F.T/Fz as the moment, which is about the sensor's z through the contact, wherever "
+      "that is (Tz alone is about the sensor's axis). Put a name with : or , in double quotes",
       Presence::optional);
   value(
       "--units", "LIST", [&columns](const std::string& list) { columns.read_units(list); },
-      "Units of the file, and of a single force, moment and load: " + std::string(units_text) +
-          " (default m, N, Nm, rad, s)",
+      "Units of the file, and of a force, moment or load option: " + std::string(units_text) + " (default SI)",
       Presence::optional);
 }
 
 void Options::least_load(FileColumns& columns) {
   number("--least-load", columns.least_load, positive,
-         "Leave out rows of --data with a smaller load, such as those of the empty gripper");
+         "Skip rows of --data with a load below this (in the file's unit), such as those of an empty gripper");
   flag("--zero", columns.zero,
-       "Subtract the sensor's zero, the median of each pause of at least 5 rows with less than --least-load above the "
-       "lowest percentile; their scatter gives sigma_force and sigma_moment");
+       "Subtract the sensor's zero, which is the median of each pause: at least 5 rows with less than --least-load "
+       "above "
+       "the lowest percentile. Their scatter gives sigma_force and sigma_moment");
   columns.is_log = true;
 }
 
@@ -101,7 +101,7 @@ void Options::whole(const std::string& name, const std::function<void(std::size_
 void Options::choice(const std::string& name, std::size_t standard, const std::function<void(std::size_t)>& take,
                      std::span<const std::string_view> names, const std::string& help, Presence presence) {
   value(
-      name, joined(names),
+      name, value_name(name),
       [take, names](const std::string& text) {
         std::string given = text;
         std::replace(given.begin(), given.end(), '_', '-');
@@ -112,7 +112,23 @@ void Options::choice(const std::string& name, std::size_t standard, const std::f
         }
         take(static_cast<std::size_t>(found - names.begin()));
       },
-      presence == Presence::required ? help : help + " (default " + std::string(names[standard]) + ")", presence);
+      listed(help, names, presence == Presence::required ? names.size() : standard), presence);
+}
+
+std::string Options::value_name(std::string name) {
+  if (!name.starts_with("--")) return "";
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+  return name.substr(2);
+}
+
+std::string Options::listed(const std::string& help, std::span<const std::string_view> names, std::size_t standard) {
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    list.append(i == 0 ? "" : i + 1 == names.size() ? " or " : ", ").append(names[i]);
+    if (i == standard) list += " (default)";
+  }
+  const std::size_t place = help.find("{}");
+  return help.substr(0, place) + list + help.substr(place + 2);
 }
 
 void Options::finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required, bool rare) {
@@ -133,7 +149,8 @@ void Options::finger(godobject::FingerParameters& value, const std::vector<std::
 void Options::law(Law& value, Presence presence) {
   this->value(
       "--law", "LAW", [&value](const std::string& text) { value = read_law(text); },
-      "Pressure law: hertz, uniform, power:n=2.3, samples:FILE.csv[,rim=RADIUS], …; 'limitcurve laws' lists them",
+      "Pressure law: hertz, uniform, power:n=2.3, … ('limitcurve laws' lists all), or measured "
+      "samples:FILE.csv[,rim=RADIUS]",
       presence);
 }
 
@@ -141,7 +158,7 @@ void Options::radius_law(std::optional<RadiusLawArgument>& value) {
   this->value(
       "--radius-law", "RADIUS-LAW", [&value](const std::string& text) { value = read_radius_law(text); },
       "Contact radius a(P) [m]: " + joined(RadiusLaw::examples(), ", ") +
-          ", samples:FILE.csv (columns load,radius), or moments:FILE.csv (load,moment: the largest moment at a load [N "
+          ", or measured samples:FILE.csv (columns load,radius) or moments:FILE.csv (load,moment, the moment limit [N "
           "m])",
       Presence::optional);
 }
@@ -149,9 +166,9 @@ void Options::radius_law(std::optional<RadiusLawArgument>& value) {
 void Options::moment(MomentArgument& value) {
   radius_law(value.radius_law);
   number("--mu-r", value.mu_r, non_negative,
-         "Instead of --radius-law: mu_r [m/N^gamma], the moment limit is mu_r P^(1+gamma)");
+         "Instead of --radius-law: mu_r [m/N^gamma], which sets the moment limit mu_r P^(1+gamma)");
   number("--gamma", value.gamma, Range{-0.5, 1.0, "a number from -0.5 to 1"},
-         "gamma of mu_r, from -0.5 to 1 (default 0)");
+         "Exponent gamma of --mu-r, from -0.5 to 1 (default 0)");
 }
 
 Law law_if_needed(const Law& law, godobject::CurveKind kind, bool has_mu_r) {

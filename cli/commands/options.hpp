@@ -16,6 +16,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace CLI {
@@ -63,13 +64,16 @@ class Options {
   void count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help);
   void count(const std::string& name, std::optional<std::size_t>& value, std::size_t least, std::size_t most,
              const std::string& help);
-  /// One of an enumeration's `names`; `value` is of it, or an optional one.
+  /// One of an enumeration's `names`, which help lists at "{}" of its text, and marks the present `value` as the
+  /// default unless it is an optional one.
   template <class Value, class Kind>
   void named(const std::string& name, Value& value, std::span<const std::string_view> names,
              Kind (*parse)(std::string_view), const std::string& help) {
+    std::size_t standard = names.size();
+    if constexpr (std::is_same_v<Value, Kind>) standard = static_cast<std::size_t>(value);
     this->value(
-        name, joined(names), [&value, parse](const std::string& text) { value = parse(text); }, help,
-        Presence::optional);
+        name, value_name(name), [&value, parse](const std::string& text) { value = parse(text); },
+        listed(help, names, standard), Presence::optional);
   }
   /// One of an enumeration, whose `names` are in its order from 0 on; `value` holds the default.
   template <class Kind>
@@ -89,6 +93,9 @@ class Options {
   void moment(MomentArgument& value);
 
  private:
+  /// "CURVE" of "--curve"; "" of a positional argument, which has its own name.
+  static std::string value_name(std::string name);
+  static std::string listed(const std::string& help, std::span<const std::string_view> names, std::size_t standard);
   void choice(const std::string& name, std::size_t standard, const std::function<void(std::size_t)>& take,
               std::span<const std::string_view> names, const std::string& help, Presence presence);
   void whole(const std::string& name, const std::function<void(std::size_t)>& take, std::size_t least, std::size_t most,

@@ -35,8 +35,9 @@ constexpr std::array slide_columns = std::to_array<ListedColumn<Slide>>({
     {"fx", of<&Slide::wrench, &PatchWrench::fx>},
     {"fy", of<&Slide::wrench, &PatchWrench::fy>},
     {"moment", of<&Slide::wrench, &PatchWrench::moment>, "the wrench about the origin that keeps the patch sliding"},
-    {"power", of<&Slide::power>, "mu P H"},
-    {"error", of<&Slide::error>, "bound of the largest of the relative error of power, |dF|/(mu P) and |dM|/(mu P m0)"},
+    {"power", of<&Slide::power>, "mu P H [W], with H the power for mu P = 1"},
+    {"error", of<&Slide::error>,
+     "bound on the relative error of power, |dF|/(mu P) and |dM|/(mu P m0), a pure spin's moment"},
 });
 
 struct Slip {
@@ -54,9 +55,10 @@ constexpr std::array slip_columns = std::to_array<ListedColumn<Slip>>({
     {"vx", of<&Slip::twist, &PatchTwist::vx>},
     {"vy", of<&Slip::twist, &PatchTwist::vy>},
     {"omega", of<&Slip::twist, &PatchTwist::omega>,
-     "the slip at that load, of power 1 W against the wrench, nan for wrench 0 or without such a load; of a round "
-     "contact slide, spin"},
-    {"error", of<&Slip::error>, "bound of |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the slip needs"},
+     "the slip at that load, scaled to a power of 1 W, nan for wrench 0 or if no load holds; of a round contact "
+     "slide, spin"},
+    {"error", of<&Slip::error>,
+     "bound on |dF|/(mu P) and |dM|/(mu P m0) between the wrench and the one that this slip needs"},
 });
 
 /// A round contact has a force and a slide for fx, fy and vx, vy.
@@ -74,50 +76,35 @@ class PatchCommand final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {
         "patch",
-        "Contacts that are not round: the wrench of each sliding twist, the slip under each wrench, or inequalities "
-        "for a planner",
-        "Patches: points:FILE.csv (columns x,y,load), polygon:FILE.csv (x,y), rectangle:x=0.02,y=0.01 (full sides),\n"
-        "ellipse:law=hertz,a=0.004,b=0.002 (semi-axes), image:FILE.csv,pixel=0.0005 (rows of pressures, the first row "
-        "at the\n"
-        "largest y; the origin is the centre of pressure; pixel=0.004x0.005 along x and y; an empty pixel, B or nan "
-        "has no sensor; a\n"
-        "file of Tekscan's has its pixel; columns=32: each row of the file is a frame, flattened, also if the first "
-        "row is\n"
-        "the size, 8,8; frame=2 selects; skip=1: each row begins with a time; floor=P: pressures up to P count as 0, "
-        "by default up to\n"
-        "1.5 times the most negative). Append\n"
-        ",mx=...,my=... if friction along x and y differs: they multiply mu. Lengths are in metres; loads and "
-        "pressures may have any "
-        "unit.\n"
-        "Twists: a CSV with the columns vx,vy,omega [m/s, rad/s], the velocity of the patch over the ground at the "
-        "origin.\n" +
-            ColumnList(slide_columns).help() +
-            "Wrenches: a CSV with the columns fx,fy,moment [N, N m] about the origin.\n" +
-            ColumnList(slip_columns).help() +
-            "Where the limit surface is flat the slip is about a point of the patch, exactly; error leaves out what it "
-            "bears, up to its load.\n"
-            "--half-spaces N: at most N rows of inequalities inside the limit surface, for a planner, and their "
-            "vertices, "
-            "about the origin.\n"
-            "Columns: kind; a row has fx F_x + fy F_y + moment M <= mu N, units 1, 1, 1/m; a vertex is a wrench for mu "
-            "N = "
-            "1, units 1, 1, m;\n"
-            "share: the polytope's radius over the limit surface's in the worst direction. N: 8, 14, 32, 62 or 128.\n"
-            "--law with --radius-law or --mu-r, instead of --patch: a round contact; wrenches are force,moment, slips "
-            "slide,spin [m/s, "
-            "rad/s].",
+        "Contacts that are not round: wrench of a slip twist, slip under a wrench, or inequalities for a planner",
+        R"(PATCH is points:FILE.csv (columns x,y,load), polygon:FILE.csv (x,y), rectangle:x=0.02,y=0.01 (full sides),
+ellipse:law=hertz,a=0.004,b=0.002 (semi-axes), or image:FILE.csv,pixel=0.0005 (rows of pressures, first row at the
+largest y, origin at the centre of pressure). Image options: pixel=0.004x0.005 along x and y (a Tekscan file brings
+its own); columns=32 if each row is one flattened frame (also if a first row 8,8 gives the size); frame=2 selects a
+frame; skip=1 if rows begin with a time; floor=P sets pressures up to P to 0 (default: 1.5 times the most negative). A
+pixel that is empty, B or nan has no sensor. Append ,mx=...,my=... to multiply mu along x and y. Lengths are in
+metres; loads and pressures may have any unit.
+--twists: columns vx,vy,omega [m/s, rad/s], the velocity of the patch over the ground at the origin.
+)" + ColumnList(slide_columns).help() +
+            "--wrenches: columns fx,fy,moment [N, N m] about the origin.\n" + ColumnList(slip_columns).help() +
+            R"(Where the limit surface is flat, the patch turns exactly about one of its points. error then leaves out
+the force on that point, which may be anything up to its limit.
+--half-spaces: inequalities inside the limit surface, and their vertices. Columns: kind; a row is fx F_x + fy F_y +
+moment M <= mu N (units 1, 1, 1/m; N is the load); a vertex is a wrench for mu N = 1 (units 1, 1, m); share, the
+polytope's radius over the limit surface's in the worst direction. There are 8, 14, 32, 62 or 128 rows.
+--law instead of --patch: a round contact, with force,moment and slide,spin [m/s, rad/s].)",
         "limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists data/patches/twists.csv --mu 0.5 --load 4"};
   }
 
   void declare(Options& options) override {
-    options.text("--patch", patch_, "PATCH", "Pressure patch (see below)");
+    options.text("--patch", patch_, "PATCH", "The contact (see below)");
     options.law(law_, Presence::optional);
     options.moment(moment_);
-    options.text("--twists", twists_, "FILE", "CSV of twists, or - for standard input");
-    options.text("--wrenches", wrenches_, "FILE", "Instead of --twists: CSV of wrenches, or - for standard input");
+    options.text("--twists", twists_, "FILE", "CSV file of slip twists, or - for standard input");
+    options.text("--wrenches", wrenches_, "FILE", "Instead of --twists: CSV file of wrenches, or - for standard input");
     options.count("--half-spaces", half_spaces_, 8, 1'000'000,
-                  "Instead of --twists: rows of inequalities, whatever --mu and the load are");
-    options.number("--mu", mu_, positive, "Coefficient of friction");
+                  "Instead of --twists: at most N inequalities, which do not depend on mu and load");
+    options.number("--mu", mu_, positive, "Friction coefficient mu");
     options.number("--load", load_, positive, "With --twists: normal load P [N] (default 1)");
   }
 

@@ -73,81 +73,71 @@ GripOperator read_operator(const std::string& text, UnitChecks& questions) {
 class Pivot final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {
-        "pivot", "Runs the paper's experiment: a block turns between two fingers that loosen their grip",
-        "The block starts level, its centre of mass `offset` left of the grip point; x points right, y up.\n"
-        "The paper gives mu_l and mu_r of the materials, case A (coupled), case B (uncoupled) and the level start. It "
-        "does not give\n"
-        "size, mass and offset of the block, k_l, k_r, dampers, rate of release and time step: the defaults are our "
-        "choice. Three\n"
-        "decide the result: k_r (by the radial projection) and the rate in case A, the offset in both: in case B the "
-        "block turns\n"
-        "only if the offset exceeds mu_r/mu_l.\n"
-        "Cases: coupled (ellipse, radial), uncoupled (box, closest point), exact (table, closest point). --curve and\n"
-        "--projection replace those of the case; without --case they are table and closest-point.\n"
-        "Grip: --grip FILE (CSV time,load [s, N], linear in between), or --release from=1,to=0,over=4 [N, N, s], or\n"
-        "--operator target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s,on-slide=regrip|keep]. The operator "
-        "loosens the grip\n"
-        "until the block turns, keeps it turning, and grips again for good at the target angle, or (unless "
-        "on-slide=keep) once the\n"
-        "block has slid more than 2 mm and more than 20 mm per radian of its turn. Defaults: load=2*P0, rate=P0 per "
-        "second,\n"
-        "regrip-rate ten times that. Without any of the three: from P0 to P0/2 in 10 s, where P0 is 0.5 N, or 1.3 "
-        "times the load\n"
-        "that an ellipse needs to hold the block if that is more.\n"
-        "Columns: time [s]; x,y [m] of the centre of mass from the grip point; angle [rad]; grip_slip [m], the "
-        "distance that the\n"
-        "block has slid past the fingers; load of each finger [N]; friction_force [N] and friction_moment [N m] of "
-        "both fingers;\n"
-        "state stick|slip|free|invalid (a note names the reason); cor [m] of the slip (nan unless it slips); r,rho: "
-        "distance [m] and "
-        "angle [rad] of one finger's\n"
-        "god-object from its goal after step b; trial_r,trial_rho: the same before step b (eq. 7).",
-        "limitcurve pivot --case coupled --material sandpaper --operator target=30deg"};
+    return {"pivot", "Run the paper's experiment: a block turns between two fingers that loosen their grip",
+            R"(The block starts level, its centre of mass left of the grip point; x points right, y up.
+The paper gives mu_l, mu_r, case A (coupled), case B (uncoupled) and the level start. It does not give the block's
+size, mass and offset, nor k_l, k_r, dampers, release rate and time step, so these defaults are our choice. Three
+decide the result: in case A the rate and, with the radial projection, k_r; in both cases the offset, because in case
+B the block turns only if the offset exceeds mu_r/mu_l.
+Cases: coupled (ellipse, radial), uncoupled (box, closest point), exact (table, closest point). --curve and
+--projection replace the case's; without --case they default to table and closest-point.
+Grip: --grip FILE (linear between rows), --release from=1,to=0,over=4, or --operator
+target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s,on-slide=regrip|keep]. The operator loosens the grip until
+the block turns, keeps it turning, and grips again at the target angle, or (unless on-slide=keep) once the block has
+slid more than 2 mm and more than 20 mm per radian turned. Defaults: load=2*P0, rate=P0 and regrip-rate=10*P0 per
+second. Without any of these, the grip falls from P0 to P0/2 in 10 s. P0 is 0.5 N, or 1.3 times the load that an
+ellipse needs to hold the block if that is more.
+Columns: time [s], x and y [m] of the centre of mass from the grip point, angle [rad], grip_slip [m] (how far the
+block has slid past the fingers), load [N] of each finger, friction_force [N] and friction_moment [N m] of both
+fingers, state (stick|slip|free|invalid; a note gives the reason), cor [m] of the slip (nan without slip), r [m] and
+rho [rad] (from one finger's god-object to its goal after step b), and trial_r and trial_rho (the same before step b,
+eq. 7).)",
+            "limitcurve pivot --case coupled --material sandpaper --operator target=30deg"};
   }
 
   void declare(Options& options) override {
     options.named("--case", case_, godobject::pivot_case_names(), godobject::parse_pivot_case,
-                  "Friction model; optional if one of the next three options is given");
+                  "Friction model: {}; optional with --curve, --projection or --radius-law");
     options.named("--curve", settings_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind,
-                  "Limit curve, instead of the case's");
+                  "Limit curve instead of the case's: {}");
     options.named("--projection", settings_.projection, godobject::projection_names, godobject::parse_projection,
-                  "Projection onto the limit curve, instead of the case's");
+                  "Projection instead of the case's: {}");
     options.radius_law(radius_law_);
-    options.text("--material", material_, "rayon|suede|sandpaper", "Coefficients from Table 1 (data/materials.csv)");
+    options.text("--material", material_, "MATERIAL",
+                 "Coefficients of rayon, suede or sandpaper from Table 1 (data/materials.csv)");
     options.number("--mu", mu_, non_negative,
                    "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
-    options.number("--mu-r", mu_r_, non_negative, "mu_r [m] (default: the material's, else sandpaper's)");
-    options.text("--grip", grip_file_, "FILE", "CSV with columns time,load");
+    options.number("--mu-r", mu_r_, non_negative,
+                   "Instead of --radius-law: mu_r [m] (default: the material's, else sandpaper's)");
+    options.text("--grip", grip_file_, "FILE", "Grip from a CSV file, columns time,load [s, N]");
     options.value(
         "--release", "LIST", [this](const std::string& text) { release_ = read_release(text); },
-        "from=N,to=N,over=SECONDS", Presence::optional);
+        "Grip that falls: from=N,to=N,over=SECONDS", Presence::optional);
     options.value(
         "--operator", "LIST",
         [this](const std::string& text) { settings_.grip_operator = read_operator(text, questions_); },
-        "target=ANGLE[,…]", Presence::optional);
+        "Grip by a simulated operator: target=ANGLE[,…]", Presence::optional);
     options.number("--mass", settings_.mass, positive, "Mass of the block [kg]");
     options.number("--offset", settings_.offset, non_negative,
-                   "Distance of the centre of mass from the grip point, along the block [m]");
-    options.number("--stiffness", settings_.stiffness, positive, "k_l of each finger [N/m]");
+                   "Distance along the block from grip to centre of mass [m]");
+    options.number("--stiffness", settings_.stiffness, positive, "Stiffness k_l of each finger [N/m]");
     options.number("--twist-stiffness", settings_.twist_stiffness, positive,
-                   "k_r of each finger [N m/rad] (default k_l (mu_r/mu_l)^2, where --projection radial is best)");
+                   "Torsional stiffness k_r of each finger [N m/rad] (default k_l (mu_r/mu_l)^2, best for radial)");
     options.number("--duration", settings_.duration, non_negative, "Duration [s]");
     options.law(settings_.law, Presence::optional);
     options.rare();
-    options.number("--mu-dynamic", settings_.mu_dynamic, non_negative, "mu_l while slipping [1] (default mu_l)");
+    options.number("--mu-dynamic", settings_.mu_dynamic, non_negative, "mu_l during slip [1] (default mu_l)");
     options.number("--mu-r-dynamic", settings_.mu_r_dynamic, non_negative,
-                   "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
+                   "mu_r during slip [m] (default mu_r times mu-dynamic/mu)");
     options.number("--length", settings_.length, positive, "Length of the block [m]");
     options.number("--height", settings_.height, positive, "Height of the block [m]");
     options.number("--gravity", settings_.gravity, non_negative, "Gravity [m/s^2]");
-    options.number("--damping", settings_.damping, non_negative, "b_l of each finger [N s/m]");
+    options.number("--damping", settings_.damping, non_negative, "Damping b_l of each finger [N s/m]");
     options.number("--twist-damping", settings_.twist_damping, non_negative,
-                   "b_r of each finger [N m s/rad] (default b_l k_r/k_l)");
+                   "Damping b_r of each finger [N m s/rad] (default b_l k_r/k_l)");
     options.number("--time-step", settings_.time_step, positive, "Time step [s]");
-    options.count("--every", every_, 1, 1'000'000'000, "Write one row every N time steps, beginning with the first");
-    options.number("--tolerance", settings_.tolerance, positive,
-                   "Error of the table, if the limit curve is one, in unit wrenches");
+    options.count("--every", every_, 1, 1'000'000'000, "Write a row every N time steps, beginning with the first");
+    options.number("--tolerance", settings_.tolerance, positive, "Error of the table, in unit wrenches");
   }
 
   void run(const Results& results) override {

@@ -59,12 +59,12 @@ constexpr std::array space_columns = std::to_array<ListedColumn<SceneContact>>({
     {"nz", along<&SceneContact::normal, 2>},
 });
 constexpr std::array detail_columns = std::to_array<ListedColumn<SceneContact>>({
-    {"margin", of<&SceneContact::margin>, "margin to slip [1]: 1 without friction, 0 slips"},
-    {"hold_load", of<&SceneContact::load_to_hold>, "least load that would hold the friction [N]"},
-    {"corx", along<&SceneContact::centre_of_rotation, 0>, "the slip's centre of rotation [m]"},
+    {"margin", of<&SceneContact::margin>, "1 uses no friction, 0 slips"},
+    {"hold_load", of<&SceneContact::load_to_hold>, "smallest load that holds the friction [N]"},
+    {"corx", along<&SceneContact::centre_of_rotation, 0>, "centre of rotation of the slip [m]"},
     {"cory", along<&SceneContact::centre_of_rotation, 1>},
     {"corz", along<&SceneContact::centre_of_rotation, 2>},
-    {"dissipated", of<&SceneContact::dissipated>, "by slip so far [J]"},
+    {"dissipated", of<&SceneContact::dissipated>, "energy lost to slip so far [J]"},
 });
 
 /// The columns of one finger.
@@ -102,44 +102,36 @@ struct Sample {
 class Replay final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {
-        "replay", "Runs a soft finger (the paper's god-object) over a recorded motion on a surface",
-        "Trace: columns time,x,y,z,twist [s, m, m, m, rad]. qw,qx,qy,qz (a unit quaternion, finger to world) may stand "
-        "instead of\n"
-        "twist; without both the finger does not twist. The plane is z = 0: outward normal +z, penetration -z.\n"
-        "Columns: time; state free|stick|slip|invalid (a note names the reason, the first time and the count); px,py "
-        "[m] and angle\n"
-        "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the rendered friction; cor [m], the "
-        "distance of the\n"
-        "slip's centre of rotation (nan unless it slips).\n"
-        "With another surface, a body that moves, or several fingers, columns pz, fz and nx,ny,nz (the surface's "
-        "outward normal) are\n"
-        "added, in world coordinates; angle is relative to the body. The user feels load along the normal, and moment "
-        "about it.\n"
-        "--body trace: columns bx,by,bz [m] and bqw,bqx,bqy,bqz (body to world) of the trace move the body. planar and "
-        "free: the\n"
-        "fingers push the body, which starts at the origin; its pose after each sample is in columns of those names.\n"
-        "Finger N reads x2,y2,z2,twist2 (qw2,...) and so on, and writes state2,px2,py2,...\n"
-        "A patch is fixed to the finger and turns with angle; cor is the distance from its centre of pressure, the "
-        "contact point.",
-        "limitcurve replay --trace data/traces/slide_twist_load.csv --law hertz --radius-law constant:a=0.006 --mu "
-        "0.6\n"
-        "    --stiffness 1000 --twist-stiffness 0.036 --curve table --projection closest-point"};
+    return {"replay", "Run a soft finger (the paper's god-object) over a recorded motion on a surface",
+            R"(Trace: columns time,x,y,z,twist [s, m, m, m, rad]. Instead of twist, qw,qx,qy,qz may give the
+orientation (unit quaternion, finger to world). Without both the finger does not twist. The plane is z = 0, its
+outward normal +z; the finger touches at z < 0.
+Columns: time, state (free|stick|slip|invalid; a note gives the reason, first time and count), px and py [m] and angle
+[rad] of the proxy, depth [m], load [N], fx and fy [N] and moment [N m] (the friction on the user), and cor [m] (the
+distance of the slip's centre of rotation, nan without slip).
+Another surface, a moving body or several fingers add pz, fz and nx,ny,nz (the outward normal), in world coordinates;
+angle is then relative to the body. The user feels the load along the normal, and the moment about it.
+--body trace moves the body by the columns bx,by,bz [m] and bqw,bqx,bqy,bqz (body to world). A planar or free body
+starts at the origin, and the fingers push it; columns of these names give its pose after each sample.
+Finger N reads x2,y2,z2,twist2 (or qw2,...) and so on, and writes state2,px2,py2,...
+A patch is fixed to the finger and turns with angle; cor is measured from its centre of pressure, the contact point.)",
+            "limitcurve replay --trace data/traces/slide_twist_load.csv --law hertz --radius-law constant:a=0.006 --mu "
+            "0.6\n"
+            "    --stiffness 1000 --twist-stiffness 0.036 --curve table --projection closest-point"};
   }
 
   void declare(Options& options) override {
-    options.text("--trace", trace_, "FILE", "CSV with columns time,x,y,z,twist, or - for standard input",
+    options.text("--trace", trace_, "FILE", "Motion: CSV with columns time,x,y,z,twist, or - for standard input",
                  Presence::required);
     options.law(replay_.law, Presence::optional);
     options.text("--patch", patch_, "PATCH",
-                 "Instead of --law and --radius-law: a pressure patch of any shape (closest-point projection)");
+                 "Instead of --law and --radius-law: a contact that is not round; needs closest-point");
     options.radius_law(radius_law_);
     options.finger(replay_.finger, {"mu", "stiffness", "twist_stiffness"}, false);
     options.named("--curve", replay_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind,
-                  "Limit curve (default table)");
-    options.named(
-        "--projection", replay_.projection, godobject::projection_names, godobject::parse_projection,
-        "Projection onto the limit curve (default closest-point). radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2");
+                  "Limit curve: {}");
+    options.named("--projection", replay_.projection, godobject::projection_names, godobject::parse_projection,
+                  "How slip returns to the curve: {}; radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2");
     options.number("--tolerance", replay_.tolerance, positive, "Error of the table, in unit wrenches");
     options.value(
         "--surface", "SURFACE",
@@ -147,19 +139,18 @@ class Replay final : public Subcommand {
           surface_ = read_surface(text);
           on_plane_ = text == "plane";
         },
-        "Surface that the finger touches [m]: plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, "
-        "cylinder:radius=0.02,length=0.1, "
-        "box:x=0.12,y=0.04,z=0.04 (default plane)",
+        "Surface [m]: plane (default), sphere:radius=0.05, capsule:radius=0.01,length=0.1, "
+        "cylinder:radius=0.02,length=0.1, box:x=0.12,y=0.04,z=0.04",
         Presence::optional);
     options.text("--body", body_text_, "BODY",
-                 "Motion of the touched body: fixed, trace, planar:mass=0.1[,inertia=1e-4] (in x-y, frictionless), "
-                 "free:mass=0.1[,inertia=1e-4][,gravity=9.81] (default fixed)");
+                 "Touched body: fixed (default), trace, planar:mass=0.1[,inertia=1e-4] (in x-y, frictionless), "
+                 "free:mass=0.1[,inertia=1e-4][,gravity=9.81] [kg, kg m^2, m/s^2]");
     options.count("--fingers", fingers_, 1, godobject::Replay::most_fingers, "Number of fingers in the trace");
     options.value(
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
         "b=NUMBER[,b_r=NUMBER][,T=SECONDS][,delay=SAMPLES]: reject gains that are not passive on a device with this "
         "damping [N s/m, "
-        "N m s/rad], sample time (default: each step of the trace) and delay (most devices: 1)",
+        "N m s/rad], sample time (default: each step of the trace) and delay (default 0; most devices: 1)",
         Presence::optional);
     options.flag("--details", details_, "Add columns for a controller: " + details_text());
     options.rare();

@@ -22,38 +22,31 @@ namespace {
 class Table final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {
-        "table", "Writes a lookup table of the limit curve with a checked error",
-        "The name of the file selects its format: .csv, .json, .h (C99) or .hpp (constexpr C++17, no dependencies).\n"
-        "Without --name the names in a header hold the law and the checksum, so that each table has its own.\n"
-        "With --patch the table is of a contact that is not round. Its wrench then costs the same whatever its shape. "
-        "You "
-        "can pass\n"
-        "the file as --patch table:FILE.csv or .json. Columns: patch,tolerance,checked_error,bytes. checked_error is "
-        "an "
-        "upper bound\n"
-        "on the error of the force, in units of mu P, and of the moment, in units of the largest one.\n"
-        "Columns: law; tolerance; checked_error, an upper bound on the absolute error of force and moment in unit "
-        "wrenches;\n"
-        "nodes, the number of cells in the table; bytes that a look-up may touch; profile_error, the error "
-        "because a\n"
-        "measured pressure is known at samples only, to be added to checked_error (0 for a law given by a formula).",
-        "limitcurve table --law hertz --tolerance 1e-6 -o hertz.csv"};
+    return {"table", "Write a lookup table of the limit curve, with a checked error",
+            R"(Formats: .csv, .json, .h (C99) or .hpp (constexpr C++17). Headers need no library.
+Columns: law, tolerance, checked_error (an upper bound on the absolute error of force and moment in unit wrenches),
+nodes (the number of cells), bytes (that look-ups may read), and profile_error (add it to checked_error, because a
+measured pressure is known only at samples; it is 0 for a law given by a formula).
+With --patch the contact is not round, but its wrench costs the same whatever its shape. You can pass the file as
+--patch table:FILE.csv or .json. Columns: patch, tolerance, checked_error (an upper bound on the error of the force in
+units of mu P, and of the moment in units of the largest moment), and bytes.)",
+            "limitcurve table --law hertz --tolerance 1e-6 -o hertz.csv"};
   }
 
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
-    options.text("--patch", patch_, "PATCH", "Instead of --law: a pressure patch (see 'limitcurve patch')");
+    options.text("--patch", patch_, "PATCH", "Instead of --law: a contact that is not round (see 'limitcurve patch')");
     options.number("--tolerance", tolerance_, positive,
-                   "Largest error of force and moment, in unit wrenches, over m0 if that is above 1 (default 1e-8; of "
-                   "float 1e-6; of a patch 1e-3)");
-    options.text("-o,--output", file_, "FILE", "File to write", Presence::required);
+                   "Largest error of force and moment, in unit wrenches, or times m0 if m0 > 1 (default 1e-8, with "
+                   "--real float 1e-6, with --patch 1e-3)");
+    options.text("-o,--output", file_, "FILE", "File to write, whose ending sets the format", Presence::required);
     options.count("--preferred-bytes", bytes_, 0, limitcurve::Table::max_bytes,
-                  "Memory that a look-up should touch: the cells get the lowest degree, 3 to 5, that fits, which "
-                  "is the fastest; else 6");
+                  "Bytes that a look-up should touch; the table gets the lowest (fastest) degree, 3 to 5, that fits, "
+                  "otherwise 6");
     static constexpr std::array<std::string_view, 2> reals{"double", "float"};
-    options.choice("--real", is_single_, reals, "Numbers of a header");
-    options.text("--name", name_, "NAME", "Of the table in a .h or .hpp file: NAME_wrench(slide, spin)");
+    options.choice("--real", is_single_, reals, "Number type of a header: {}");
+    options.text("--name", name_, "NAME",
+                 "Name in a .h or .hpp file, as in NAME_wrench(slide, spin) (default: law and checksum)");
   }
 
   void run(const Results& results) override {

@@ -40,17 +40,18 @@ constexpr std::array coefficient_columns = std::to_array<ListedColumn<Translated
     {"parameter", of<&Translated::coefficient, &EngineCoefficient::parameter>, "in the engine's spelling"},
     {"value", of<&Translated::coefficient, &EngineCoefficient::value>, "the number to set"},
     {"unit", of<&Translated::coefficient, &EngineCoefficient::unit>, "of the value"},
-    {"model", of<&Translated::contact, &EngineContact::model>, "the shape (ellipse, diamond, box, point: no moment)"},
+    {"model", of<&Translated::contact, &EngineContact::model>,
+     "ellipse, diamond, box, or point, which carries no moment"},
     {"max_error", of<&Translated::contact, &EngineContact::error, &CurveError::max_error>,
      "its largest radial error against the exact curve (0.07 is 7 %)"},
     {"cor_error", of<&Translated::contact, &EngineContact::max_wrench_error>,
-     "the largest error of the wrench at the same centre of rotation, as a fraction of the limits"},
+     "its largest error of the wrench about one centre of rotation, as a fraction of the limits"},
     {"loads_error", of<&Translated::contact, &EngineContact::max_error_over_loads>,
-     "the largest radial error over the --loads, because the coefficients are constant"},
+     "its largest radial error over --loads, because the value is constant"},
     {"note", of<&Translated::coefficient, &EngineCoefficient::note>,
-     "what the engine multiplies the value by, and its name for the value"},
+     "what the engine multiplies the value by, and how it calls the value"},
     {"formula", of<&Translated::coefficient, &EngineCoefficient::formula>,
-     "of mu, mu_r = mu m0 a, m0, a, and f, the other body's friction, taken as 1"},
+     "from mu, a, m0 (see 'limitcurve laws'), mu_r = mu m0 a, and f, the other body's friction, taken as 1"},
     {"two_bodies", of<&Translated::coefficient, &EngineCoefficient::two_bodies>,
      "how the engine combines the values of two bodies"},
 });
@@ -61,7 +62,7 @@ constexpr std::array narrow_columns = std::to_array<ListedColumn<Translated>>(
 constexpr std::array load_columns = std::to_array<ListedColumn<Translated>>({
     {"low", of<&Translated::coefficient, &EngineCoefficient::low>},
     {"high", of<&Translated::coefficient, &EngineCoefficient::high>,
-     "with --loads: the range of the value over these loads, for randomisation"},
+     "with --loads: the range of the value, for domain randomisation"},
 });
 constexpr std::array friction_columns = std::to_array<ListedColumn<Translated>>({
     {"mu", of<&Translated::mu>, "with several values of --mu"},
@@ -77,57 +78,48 @@ constexpr std::array meaning_columns = std::to_array<ListedColumn<Meant>>({
     {"parameter", of<&Meant::meaning, &engines::CoefficientMeaning::parameter>},
     {"value", of<&Meant::value>, "the number in the scene"},
     {"moment_per_load", [](const Meant& row) -> Cell { return if_any(row.meaning.moment_per_load); },
-     "[m], the largest moment over the load (none: the number sets no moment)"},
+     "[m], the largest moment over the load, empty if the number sets none"},
     {"radius", [](const Meant& row) -> Cell { return if_any(row.meaning.radius); },
-     "[m], the contact radius that a contact of the law needs for it"},
-    {"note", of<&Meant::meaning, &engines::CoefficientMeaning::note>, "with the defaults that were taken"},
+     "[m], the contact radius that has this moment under --law"},
+    {"note", of<&Meant::meaning, &engines::CoefficientMeaning::note>, "also lists the defaults assumed"},
 });
 
 class Translate final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {
-        "translate", "Coefficients for physics engines, with the error that remains; or what such a coefficient means",
-        "The coefficients give the exact limits of force and moment at --load; between the limits each engine has its "
-        "own shape.\n" +
+        "translate",
+        "Find coefficients for physics engines, with the error that remains, or the meaning of a coefficient",
+        "Give --mu, --load, and --law with --radius-law or --mu-r; or --mu and --patch. The engine then has the exact "
+        "limits of force\nand moment at --load; between the limits it follows its model.\n" +
             ColumnList(coefficient_columns).add(load_columns).add(friction_columns).help() +
-            "With --engine, and in a table, the errors are rows, and the note says how two bodies' values combine; "
-            "there are no columns\nof errors and two_bodies.\n"
-            "With several values of --mu: the coefficients for each. mu_r follows mu; drawn apart, they are of no "
-            "pad.\n"
-            "--mu-r R, as it is measured, with --gamma G if it grows with the load: instead of --radius-law.\n"
-            "--patch P, instead of --law, --radius-law and --load: a contact that is not round (see 'limitcurve "
-            "patch').\n"
-            "--read ENGINE.PARAMETER=VALUE, with --law and --mu alone: what a number in a scene means. PARAMETER is "
-            "the "
-            "engine's name or a\n"
-            "short one: friction, torsional, patch_radius, ... VALUE may be all that an attribute has: "
-            "'mujoco.friction=1 "
-            "0.005 0.0001'.\n"
-            "Numbers of one engine belong to one contact, until a parameter comes again; its friction replaces "
-            "--mu.\n" +
-            ColumnList(meaning_columns).help() +
-            "--explain writes what else each engine needs, and its documentation, to standard error.",
+            R"(With --engine, and in a table, the errors are rows, and the note says how two bodies' values combine.
+Draw mu and mu_r together, because mu_r is proportional to mu.
+With --read, give --law, and --mu unless the engine's friction is among the numbers. PARAMETER is the engine's name or
+a short one: friction, torsional, patch_radius, ... VALUE may be a whole attribute: 'mujoco.friction=1 0.005 0.0001'.
+Numbers of one engine describe one contact; a parameter that comes again begins the next.
+)" + ColumnList(meaning_columns).help(),
         "limitcurve translate --law hertz --radius-law power:c=0.00207,gamma=0.259 --mu 0.8 --load 2"};
   }
 
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
     options.moment(moment_);
-    options.text("--patch", patch_, "PATCH", "Instead of --law, --radius-law and --load: a pressure patch");
+    options.text("--patch", patch_, "PATCH",
+                 "Instead of --law, --radius-law and --load: a contact that is not round (see 'limitcurve patch')");
     options.numbers("--mu", frictions_, positive, "Friction coefficient mu [1], or several: 0.4,1.2",
                     Presence::optional);
-    options.number("--load", load_, positive, "Normal load P [N] at which the limits are exact");
+    options.number("--load", load_, positive, "Normal load P [N] at which the engine gets the exact limits");
     options.numbers("--loads", loads_, positive,
-                    "LOW,HIGH: range of loads [N] for loads_error (default: a quarter of --load to four times --load)",
+                    "Range LOW,HIGH of loads [N] for loads_error (default: --load/4 to 4 times --load)",
                     Presence::optional);
     options.value(
         "--engine", "ENGINE", [this](const std::string& text) { engine_ = engines::find_engine(text); },
-        "One engine alone: mujoco, newton, genesis, physx, isaac, sapien, bullet, ...", Presence::optional);
+        "Only this engine: mujoco, newton, genesis, physx, isaac, sapien, bullet, ...", Presence::optional);
     options.repeated(
         "--read", "ENGINE.PARAMETER=VALUE", [this](const std::string& text) { readings_.push_back(text); },
-        "What numbers in an engine's scene mean; may be repeated", Presence::optional);
-    options.flag("--explain", explain_, "Write to standard error what else each engine needs");
+        "Explain a coefficient found in a scene instead; may be repeated", Presence::optional);
+    options.flag("--explain", explain_, "Print what else each engine needs, and a link to its documentation");
   }
 
   void run(const Results& results) override {

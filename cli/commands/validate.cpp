@@ -42,59 +42,48 @@ constexpr std::array judged_columns = std::to_array<ListedColumn<Judged>>({
     {"parameter", of<&Judged::parameter>, "of the model; with --points the number of points"},
     {"max_error", of<&Judged::error, &CurveError::max_error>, "the largest error, of either sign"},
     {"rms_error", of<&Judged::error, &CurveError::rms_error>,
-     "root mean square; with --patch over centres of rotation in 128 directions at 121 distances, evenly and "
-     "logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P)"},
+     "root mean square; with --patch over centres of rotation in 128 directions at 121 distances, spaced "
+     "logarithmically from 1e-3 to 1e3 m0 (m0 is the moment of a pure spin over mu P)"},
     {"max_over_estimate", of<&Judged::error, &CurveError::max_over_estimate>,
-     "the largest error where the model holds and the real finger slips"},
+     "the largest error where the model holds although the finger slips"},
     {"max_under_estimate", of<&Judged::error, &CurveError::max_under_estimate>,
-     "the largest error where the model slips and the real finger holds"},
-    {"max_cor_error", of<&Judged::cor_error>, "the largest |c_model/c_exact - 1|, inf if it is unbounded"},
+     "the largest error where it slips although the finger can hold"},
+    {"max_cor_error", of<&Judged::cor_error>,
+     "the largest |c_model/c_exact - 1| (c: distance of the centre of rotation), inf if unbounded"},
 });
 
 class Validate final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {
-        "validate", "Errors of ellipse, box, diamond and Padé model against the exact curve",
-        "Errors are relative radii in the paper's normalised plane (0.07 is 7 %).\n" +
-            ColumnList(judged_columns).help() +
-            "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares and ellipse-inner "
-            "(inside the curve,\n"
-            "with the smallest maximum error): the force semi-axis in units of mu P; box (uncoupled limits): inf, and "
-            "diamond: 1, the\n"
-            "exponents n of x^n + y^n = 1; pade (Zhuravlev's model, by its own twist: it has no normal): c/a at half "
-            "the force;\n"
-            "not of uniform-wear, whose force rises infinitely steeply from a pure spin.\n"
-            "With --patch the contact is not round (see 'limitcurve patch'). Errors compare the model's power with the "
-            "patch's,\n"
-            "over all sliding twists. Models and their parameter: disc:LAW, the law and radius with the least largest "
-            "error, and\n"
-            "disc-equal-area:LAW: the radius [m]; ellipsoid sqrt((mx vx)^2 + (my vy)^2 + m0^2 w^2): m0 [m].\n"
-            "With --points: the errors of points of a limit curve that other code, or a measurement, gave. The file "
-            "has "
-            "force,moment of\n"
-            "the unit curve (F/(mu P), M/(mu P a)), unless --mu, --load, --radius scale it, and c, the distance of the "
-            "COR, for\n"
-            "max_cor_error, where its wrench differs from the point's by more than 1e-6 of mu P and mu P a; with "
-            "--patch fx,fy,moment\n"
-            "about its origin. Signs of force, moment and c do not matter. An error is gauge - 1, the gauge being 1 on "
-            "the limit.",
-        "limitcurve validate --law hertz --law uniform"};
+    return {"validate", "Compare ellipse, box, diamond and Padé model with the exact curve",
+            "Errors compare radii on one ray of the paper's normalised plane (0.07 is 7 %).\n" +
+                ColumnList(judged_columns).help() +
+                R"(Models and their parameter: ellipse (through the intercepts), ellipse-least-squares and
+ellipse-inner (inside the curve, with the smallest maximum error): the force semi-axis over mu P; box (separate
+limits): inf, and diamond: 1, the exponent n of x^n + y^n = 1; pade (Zhuravlev's model, at its own twist, because it
+has no normal): c/a at half the force. There is none for uniform-wear, whose force rises infinitely steeply from a
+pure spin.
+With --patch the contact is not round (see 'limitcurve patch'). Errors compare the friction power of model and patch
+over all slip twists. Models and their parameter: disc:LAW (the law and radius with the smallest maximum error) and
+disc-equal-area:LAW: the radius [m]; ellipsoid, with power sqrt((mx vx)^2 + (my vy)^2 + m0^2 w^2): m0 [m].
+With --points: a file may have force,moment in units of mu P and mu P a (unless you give --mu, --load and --radius),
+or, with --patch, fx,fy,moment about its origin. A column c adds max_cor_error, but leaves out points whose c has a
+wrench within 1e-6 of theirs. With --law signs do not matter. Errors are gauge - 1; the gauge is 1 on the limit.)",
+            "limitcurve validate --law hertz --law uniform"};
   }
 
   void declare(Options& options) override {
     options.repeated(
         "--law", "LAW", [this](const std::string& text) { laws_.push_back(read_law(text)); },
-        "Pressure law, also samples:FILE.csv; may be repeated (default: all laws of 'limitcurve laws')",
-        Presence::optional);
+        "Pressure law, or samples:FILE.csv; may be repeated (default: all in 'limitcurve laws')", Presence::optional);
     options.repeated(
         "--patch", "PATCH", [this](const std::string& text) { patches_.push_back(text); },
-        "Instead of --law: a pressure patch; may be repeated", Presence::optional);
+        "Instead of --law: a contact that is not round; may be repeated", Presence::optional);
     options.text("--points", file_, "FILE",
-                 "Instead of models: CSV of points of a limit curve, or - for standard input");
-    options.number("--mu", mu_, positive, "Of --points: coefficient of friction");
-    options.number("--load", load_, positive, "Of --points: normal load P [N]");
-    options.number("--radius", radius_, positive, "Of --points with --law: contact radius a [m]");
+                 "Instead of models: a CSV file of points of your limit curve, or - for standard input");
+    options.number("--mu", mu_, positive, "Scale of --points: friction coefficient (default 1)");
+    options.number("--load", load_, positive, "Scale of --points: normal load P [N] (default 1)");
+    options.number("--radius", radius_, positive, "Scale of --points with --law: contact radius a [m] (default 1)");
   }
 
   void run(const Results& results) override {

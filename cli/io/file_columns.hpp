@@ -55,8 +55,7 @@ struct FileColumns {
 
 /// What --units takes, for help and messages.
 inline constexpr const char* units_text =
-    "length=m|cm|mm|um|in, force=N|mN|uN|kN|kgf|lbf, moment=a force and a length in a row, such as Nmm or lbfin, "
-    "angle=rad|deg, time=s|ms; "
-    "or a number, the unit in SI";
+    "length=m|cm|mm|um|in, force=N|mN|uN|kN|kgf|lbf, moment=force and length joined (Nmm, lbfin), "
+    "angle=rad|deg, time=s|ms, or the size of the unit in SI";
 
 }  // namespace limitcurve::cli

@@ -61,11 +61,14 @@ std::string help_of(const std::vector<std::pair<std::string_view, std::string_vi
   return text + '\n';
 }
 
+bool Results::has(std::string_view option) const {
+  return std::find(given.begin(), given.end(), option) != given.end();
+}
+
 void Results::warn_idle(std::initializer_list<std::pair<std::string_view, bool>> idle, const std::string& what) const {
   std::string names;
   for (const auto& [option, is_idle] : idle) {
-    if (is_idle && std::find(given.begin(), given.end(), option) != given.end())
-      names.append(names.empty() ? "" : ", ").append(option);
+    if (is_idle && has(option)) names.append(names.empty() ? "" : ", ").append(option);
   }
   if (!names.empty()) messages->say("limitcurve: warning: " + names + ": without effect on " + what);
 }

@@ -41,6 +41,7 @@ struct Results {
   Messages* messages = nullptr;            ///< never null in `Subcommand::run`
   std::vector<std::string> given = {};     ///< the options of the command line, such as "--law"
 
+  [[nodiscard]] bool has(std::string_view option) const;
   /// Warns of the options that were given although they are idle, which means without effect on `what`.
   void warn_idle(std::initializer_list<std::pair<std::string_view, bool>> idle, const std::string& what) const;
 };
