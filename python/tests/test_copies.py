@@ -37,7 +37,6 @@ def test_laws_and_curves(way, tmp_path):
         lc.Law.samples([0, 1, 2, 3], [3, 2, 1, 0]),
         lc.Table("hertz", 1e-8),
         lc.Table(measured, 1e-3),
-        lc.PatchTable("rectangle:x=0.02,y=0.01,mx=0.5", 1e-2),
         lc.ellipse(1, 0.6),
         lc.box(1, 0.5)
     ]
@@ -66,6 +65,7 @@ def test_patches(way, tmp_path):
         lc.Patch(f"points:{tmp_path}/points.csv,mx=2"),
         lc.Patch(f"polygon:{tmp_path}/polygon.csv"), image,
         lc.Patch("rectangle:x=0.02,y=0.01"),
+        lc.PatchTable("rectangle:x=0.02,y=0.01,mx=0.5", 1e-2),
         lc.Patch(f"ellipse:law=samples:{tmp_path}/profile.csv,a=0.004,b=0.002"),
         lc.Patch.points([0, 1], [0, 0], [1, 2]),
         lc.Patch.polygon([0, 1, 0], [0, 0, 1]),
