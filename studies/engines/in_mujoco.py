@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """MuJoCo: both cones, a disc, and what two fingers hold."""
 
-import importlib.metadata
-
 import mujoco
 import numpy as np
 

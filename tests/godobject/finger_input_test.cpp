@@ -52,21 +52,6 @@ TEST(SoftFinger, TakesLimitsNotQuotients) {
   }
 }
 
-TEST(SoftFinger, WithoutTorsionalFrictionTheForceIsLimitedByItself) {
-  FingerParameters with = parameters();
-  with.mu_r = 0.0;
-  auto finger = hertz_finger(with);
-  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
-  finger.update(on_plane(0.001, 0.0, 0.002), 2.0);
-  EXPECT_EQ(finger.output().state, ContactState::stick);
-  EXPECT_EQ(finger.output().moment, 0.0);
-  EXPECT_EQ(finger.output().angle, 2.0);
-  EXPECT_EQ(finger.output().proxy, Eigen::Vector3d::Zero());
-  finger.update(on_plane(0.003, 0.0, 0.002), 2.0);
-  EXPECT_EQ(finger.output().state, ContactState::slip);
-  EXPECT_DOUBLE_EQ(finger.output().force.x(), -1.2);
-}
-
 // A limit below 1e-125 N is below all rounding and counts as 1e-125 N.
 TEST(SoftFinger, FeelsNextToNothingWhereFrictionVanishes) {
   FingerParameters with = parameters();

@@ -89,17 +89,6 @@ void for_random_trials(const FingerCurve& curve, int count, Body&& body) {
 
 const Law laws[] = {hertz(), uniform(), flat_punch(), parabolic(), cone()};
 
-TEST(Projection, EndsOnTheCurve) {
-  for (const Law& law : laws) {
-    for_each_curve_and_projection(law, [&](const FingerCurve& curve, Projection projection, const std::string& name) {
-      for_random_trials(curve, 400, [&](const Outside& outside) {
-        EXPECT_NEAR(curve.gauge(projected(curve, projection, outside).wrench), 1.0, 2e-14)
-            << law->name() << ' ' << name;
-      });
-    });
-  }
-}
-
 // The closest point of a convex set is the one from which no other point of it is seen at less than a right angle:
 // an oracle that shares nothing with the search.
 TEST(ClosestPoint, NoPointOfTheCurveIsCloser) {
@@ -269,7 +258,7 @@ TEST(CCurve, IsContinuousInTheTrial) {
   EXPECT_GT(kept, 100);
 }
 
-TEST(Projection, NeverCreatesEnergy) {
+TEST(Projection, EndsOnTheCurveAndNeverCreatesEnergy) {
   for (const Law& law : laws) {
     for_each_curve_and_projection(law, [&](const FingerCurve& curve, Projection projection, const std::string& name) {
       for_random_trials(curve, 400, [&](const Outside& outside) {
@@ -277,6 +266,7 @@ TEST(Projection, NeverCreatesEnergy) {
         const auto [at, slip, parameter] = projected(curve, projection, outside);
         const double work =
             at.force * (trial.force - at.force) + at.moment * trial.compliance_ratio * (trial.moment - at.moment);
+        EXPECT_NEAR(curve.gauge(at), 1.0, 2e-14) << law->name() << ' ' << name;
         EXPECT_GE(work, 0.0) << law->name() << ' ' << name;
         EXPECT_GE(slip.slide, 0.0);
         EXPECT_GE(slip.spin, 0.0);

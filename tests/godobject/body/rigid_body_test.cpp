@@ -19,15 +19,6 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-TEST(RigidBody, TurnsByTheAngleItShould) {
-  Quaterniond orientation = Quaterniond::Identity();
-  const Vector3d axis = Vector3d(1.0, 2.0, -0.5).normalized();
-  for (int i = 0; i < 1000; ++i) orientation = turned(orientation, axis * 0.7, 1e-3);
-  const Quaterniond expected(Eigen::AngleAxisd(0.7, axis));
-  EXPECT_LT(orientation.angularDistance(expected), 1e-9);
-  EXPECT_NEAR(orientation.norm(), 1.0, 4e-16);
-}
-
 TEST(RigidBody, TwistIsUnwrappedOverManyTurns) {
   // A device that turns by 40 turns about the normal of a plane, given as an orientation.
   const AnySurface plane(PlaneSurface{});

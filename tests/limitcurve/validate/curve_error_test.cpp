@@ -159,14 +159,6 @@ TEST(CurveError, OfTheBox) {
   EXPECT_EQ(error.max_cor_ratio, inf);
 }
 
-TEST(CurveError, OfTheDiamondIsAllOnTheWeakSide) {
-  const ExactCurve exact(uniform());
-  const CurveError error = curve_error(diamond(1.0, exact.moment_ratio()), exact);
-  EXPECT_LE(error.max_over_estimate, 1e-15);
-  EXPECT_GT(error.max_under_estimate, 0.2);
-  EXPECT_EQ(error.max_cor_error, inf);
-}
-
 /// Zhuravlev's two numbers for Hertz, written out; the model's twist on the ray of an exact wrench by bisection.
 TEST(CurveError, OfThePadeModelIsThatOfItsOwnTwist) {
   const double m0 = 3.0 * std::numbers::pi / 16.0;
