@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/contact.hpp"
+#include "../contact.hpp"
 
 #include <algorithm>
 #include <cmath>
