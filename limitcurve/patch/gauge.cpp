@@ -62,6 +62,7 @@ class Search {
  public:
   double gauge = std::numeric_limits<double>::quiet_NaN();  ///< of the wrench
   PatchTwist slip{gauge, gauge, gauge};  ///< of power 1 against the wrench; NaN unless the gauge is finite, not 0
+  PatchTwist closest = slip;             ///< the same, of all that were looked at the one that misses W least
 
   /// Until W is missed by no more than `enough`, or until the bounds meet and no step comes closer.
   Search(const Patch& patch, const PatchWrench& wrench, double enough) noexcept : patch_(patch) {
@@ -72,7 +73,7 @@ class Search {
     gauge = std::hypot(std::hypot(wrench.fx / mx, wrench.fy / my), moment);
     if (!(gauge > 0.0 && std::isfinite(gauge))) return;
     w_ = {wrench.fx / mx / gauge, wrench.fy / my / gauge, moment / gauge};
-    slip = {w_.x / mx / gauge, w_.y / my / gauge, 0.0};
+    closest = slip = {w_.x / mx / gauge, w_.y / my / gauge, 0.0};
     if (!(m0_ > 0.0)) return;  // a single point bears no moment, and its spin is free: it does not spin
     spin_ = needed({0.0, 0.0, 1.0});
     w_ = w_ - spin_ * w_.z + Vector{0.0, 0.0, w_.z};
@@ -86,6 +87,7 @@ class Search {
     }
     gauge = size / here_.power;
     slip = twist_of(here_.twist * (1.0 / size));
+    closest = twist_of(closest_.twist * (1.0 / size));
   }
 
  private:
@@ -113,6 +115,7 @@ class Search {
     const double power = dot(twist, wrench);
     const double missed = parts(w_ - wrench * (1.0 / power));
     upper_ = std::min(upper_, 1.0 / power + missed);
+    if (missed < closest_.missed) closest_ = {twist, power, wrench, missed};
     return {twist, power, wrench, missed};
   }
   static double parts(const Vector& rest) noexcept { return std::hypot(rest.x, rest.y) + std::fabs(rest.z); }
@@ -192,7 +195,8 @@ class Search {
   double m0_ = patch_.moment_ratio();
   Vector spin_{};  ///< the forces of a pure spin, in the units
   Vector w_{};
-  Place here_{};  ///< with the least H so far
+  Place here_{};                                                         ///< with the least H so far
+  Place closest_{{}, 0.0, {}, std::numeric_limits<double>::infinity()};  ///< with the least R so far
   double upper_ = std::numeric_limits<double>::infinity();
 };
 
@@ -235,6 +239,13 @@ PatchSlip Patch::slip(const PatchWrench& wrench) const {
                moment_ratio_;
   };
   found.error = error_of(found.twist, nullptr);
+  if (found.error > kink) {
+    // Where H is nearly flat, the least H is not the least miss.
+    const PatchPoint at_origin = patch::velocity_at(search.closest, -middle.x, -middle.y);
+    const PatchTwist closest{at_origin.x, at_origin.y, search.closest.omega};
+    const double error = error_of(closest, nullptr);
+    if (error < found.error) found = {closest, found.gauge, error};
+  }
   if (found.error > kink && slip.omega != 0.0) {
     // With the COR on a point H has a kink: a whole face of wrenches slips about that very point, and beside it the
     // point's force is lost.
