@@ -119,6 +119,9 @@ gravity pulls along --down, and the centre of mass is --offset from the origin t
     if (!down_.empty() && (patch_.empty() || !mass_))
       throw std::invalid_argument("--down: goes with --patch and --mass");
     results.warn_idle({{"--gravity", !fingers_ && !mass_ && !offset_}}, "hold without --mass");
+    results.warn_idle({{"--law", patch_.empty() && law_if_needed(nullptr, kind, torsion_.mu_r.has_value()) != nullptr &&
+                                     law_->profile_error() == 0.0}},
+                      "hold with this --curve and --mu-r");
     if (data_.empty()) columns_.warn_idle_units({"force", "moment"}, "--force and --moment");
     if (patch_.empty()) {
       torsion_.check(law_, *results.messages);

@@ -120,6 +120,7 @@ polytope's radius over the limit surface's in the worst direction. There are 8, 
       throw std::invalid_argument(
           "--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
     const Patch patch = read_patch(patch_, *results.messages);
+    results.warn_idle({{"--mu", half_spaces_.has_value()}}, "--half-spaces, whose wrenches are in units of mu P");
     if (half_spaces_) return write_half_spaces(results, half_spaces(patch, *half_spaces_));
     if (!wrenches_.empty()) return slip(results, patch);
     UnitChecks questions;
