@@ -115,11 +115,12 @@ struct Contact {
   return body.into_body() * orientation;
 }
 [[nodiscard]] inline DevicePose to_body(const BodyPose& body, const DevicePose& device) noexcept {
-  return {body.to_body(device.position), to_body(body, device.orientation), device.twist};
+  const Orientation turn = body.into_body();
+  return {turn * (device.position - body.position), turn * device.orientation, device.twist};
 }
 [[nodiscard]] inline Contact to_body(const BodyPose& body, const Contact& contact) noexcept {
-  return {body.to_body(contact.point), body.into_body() * contact.normal, contact.depth, contact.memory,
-          contact.landed};
+  const Orientation turn = body.into_body();
+  return {turn * (contact.point - body.position), turn * contact.normal, contact.depth, contact.memory, contact.landed};
 }
 
 /// The spin of a device about the surface normal along its path: ∫ω·n dt, n the current normal. For a moment M about
