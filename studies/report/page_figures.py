@@ -177,12 +177,13 @@ def log_fit(limitcurve):
               ".",
               color=INK,
               markersize=1.5,
-              label="rows of the log")
+              markevery=3,
+              label="every third row of the log")
     axes.plot(column(limitcurve, "x", "curve", "--law", "hertz"),
               column(limitcurve, "y", "curve", "--law", "hertz"),
               color=BLUE,
               label="Hertz")
-    axes.legend(loc="lower left")
+    axes.legend(loc="upper right")
     axes.set(title=f"Fit: mu = {value['mu']:.4f}, mu_r = {1e3 * value['mu_r']:.4f} mm",
              xlabel="force / (mu load)",
              ylabel="moment / (mu_r load)")
@@ -195,10 +196,11 @@ def log_grip(limitcurve):
     figure, axes = plt.subplots(figsize=(6.4, 2.6), layout="constrained")
     axes.plot(time, load, color=INK, linewidth=0.8, label="load")
     axes.plot(time, needed, color=BLUE, linewidth=0.8, label="load that holds")
-    axes.legend(loc="upper left")
+    axes.legend(loc="upper left", ncols=2)
     axes.set(title="Where the load that holds meets the load [N], the finger slips",
              xlabel="time of loaded rows [s]",
-             xlim=(0, time[-1]))
+             xlim=(0, time[-1]),
+             ylim=(0, 1.3 * max(load)))
     return figure
 
 
