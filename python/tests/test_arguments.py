@@ -49,31 +49,13 @@ def test_masked_pixels_have_no_sensor_and_masked_rows_are_none():
     with pytest.warns(UserWarning, match="^load: rows with a masked number are left out, 1 of 4$"):
         patch = lc.Patch.points([0, 1, 0, 9], [0, 0, 1, 9], np.ma.masked_array([1, 1, 1, 5], mask))
     assert patch.moment_ratio == lc.Patch.points([0, 1, 0], [0, 0, 1], [1, 1, 1]).moment_ratio
-    radius = np.linspace(0, 1, 12)
-    pressure = np.ma.masked_array(1 - radius**2, radius == radius[5])
-    pressure.data[5] = 50
-    with pytest.warns(UserWarning, match="^pressure: rows"):
-        law = lc.Law.samples(radius, pressure)
-    assert law.arrays[1].tolist() == pressure.compressed().tolist()
     load = np.linspace(1, 3, 9)
-    data = {"load": load, "force": np.ma.masked_array(0.6 * load, load == 2), "moment": 0.6 * load * 0.006 * np.pi / 8}
-    data["force"].data[4] = 7
-    data = {
-        name: np.ma.concatenate([
-            column * (i == 0) if name == "force" else column * (i == 1) if name == "moment" else column
-            for i in (0, 1)
-        ])
-        for name, column in data.items()
-    }
-    rows = ~np.ma.getmaskarray(data["force"])
-    with pytest.warns(UserWarning, match="^data: rows with a masked number are left out, 2 of 18$"):
-        fitted = lc.fit("ratio", data, law="hertz", quiet=True)["value"]
-    assert np.array_equal(
-        fitted,
-        lc.fit("ratio", {
-            name: np.asarray(column)[rows]
-            for name, column in data.items()
-        }, law="hertz", quiet=True)["value"])
+    data = {"load": load, "radius": np.ma.masked_array(0.002 * load**0.3, load == 2)}
+    data["radius"].data[4] = 7
+    with pytest.warns(UserWarning, match="^data: rows with a masked number are left out, 1 of 9$"):
+        fitted = lc.fit("load", data, quiet=True)["value"]
+    kept = {name: np.asarray(column)[load != 2] for name, column in data.items()}
+    assert np.array_equal(fitted, lc.fit("load", kept, quiet=True)["value"])
     with pytest.raises(ValueError, match="^c: got masked numbers"):
         TABLE.evaluate(np.ma.masked_array([1.0, 2], [0, 1]))
     for call in (lc.arrays.wrench, lc.arrays.tangent_ellipse):
@@ -114,29 +96,20 @@ SLIPS = {"load": [1.0, 1, 2, 2], "force": [0.6, 0.02, 1.21, 0.03], "moment": [0,
     (lambda: lc.Table("hertz", tolerance="1e-8"), "tolerance: got '1e-8', expected a number"),
     (lambda: lc.Table(3), "law: got 3, expected a str"),
     (lambda: lc.Table(), "no 'law', expected law, tolerance, preferred_bytes"),
-    (lambda: lc.Law(2), "text: got 2"),
-    (lambda: TABLE.load_to_hold(1, 2e-3, radius_law="constant:a=0.005"), "no 'mu'"),
     (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6), "radius_law, mu_r: got none"),
     (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6, mu_r=0.002, radius_law="constant:a=0.005"),
      "radius_law, mu_r: got both"),
     (lambda: TABLE.load_to_hold(1, 2e-3, mu=[0.6, -1], mu_r=0.002), r"mu\[1\]: got -1"),
     (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6, radius_law=5), "radius_law: got 5"),
     (lambda: TABLE.gauge(1, moment=2, force=3), "'force' twice"),
-    (lambda: TABLE.evaluate(1, 2), "2 values by position"),
-    (lambda: TABLE.save("x.csv", name=3), "name: got 3"),
-    (lambda: lc.box(1, "a"), "moment_max: got 'a'"),
     (lambda: lc.Patch.image([[1]], spacing=3), "spacing: got 3"),
     (lambda: PATCH.orthotropic(mx="a", my=1), "mx: got 'a'"),
     (lambda: TABLE.tangent_ellipse(slip=3), "slip: got 3"),
     (lambda: lc.arrays.wrench(TABLE, 1, 1), "cells: got Table"),
     (lambda: lc.Table.gauge(1, 2), "gauge: called on no object"),
     (lambda: lc.SoftFinger(), "no 'curve'"),
-    (lambda: lc.device_damping_needed(1e-3, delay="late"), "delay: got 'late'"),
-    (lambda: lc.device_damping_needed(np.timedelta64(1000000, "ns")), "sample_time: got .*expected a number"),
-    (lambda: lc.SoftFinger(TABLE, mu=np.complex128(1)), "mu: got .*expected a number"),
     (lambda: lc.SoftFinger(TABLE, mu=np.ma.masked), "mu: got masked, expected a number"),
     (lambda: lc.run("eval", law="hertz", c=np.ma.masked), "c: got masked, expected a number"),
-    (lambda: lc.run("pivot", duration=np.timedelta64(2, "ns")), "duration: got .*expected a number"),
     (lambda: lc.SoftFinger(PATCH, radius_law="constant:a=0.005"), "radius_law.*not with a Patch"),
     (lambda: lc.SoftFinger(TABLE, mu_r=0.002, radius_law="constant:a=0.005"), "mu_r: not with radius_law"),
     (lambda: lc.SoftFinger(TABLE).update((0, 0, 0), (0, 0, 1), "deep", 0), "depth: got 'deep'"),
@@ -210,11 +183,6 @@ def test_other_columns_are_ignored_and_every_number_broadcasts():
     force, mu, mu_r = np.array([[1.0], [-2]]), np.array([0.4, 0.6, 0.8]), 0.002
     measured = TABLE.load_to_hold(force, 1e-3, mu=mu, mu_r=mu_r, gamma=0.2)
     assert measured.shape == (2, 3) and measured[1, 2] == TABLE.load_to_hold(2, -1e-3, mu=0.8, mu_r=mu_r, gamma=0.2)
-    sized = TABLE.load_to_hold(force, 1e-3, mu=mu, radius_law="constant:a=0.005")
-    assert sized[0, 1] == pytest.approx(TABLE.load_to_hold(1, 1e-3, mu=0.6, mu_r=0.6 * TABLE.moment_ratio * 0.005),
-                                        rel=1e-12)
-    assert np.isnan(TABLE.load_to_hold([1, np.nan], 0, mu=0.6, mu_r=0)[1]) and TABLE.load_to_hold(1, 1, mu=0.6,
-                                                                                                  mu_r=0) == np.inf
     assert PATCH.load_to_hold(0, 1, 0, mu=mu).tolist() == pytest.approx((1 / mu).tolist())
 
 

@@ -2,7 +2,6 @@
 """translate: the numbers for physics engines, and what a number in an engine means."""
 
 import csv
-import math
 import subprocess
 import sys
 import unittest
@@ -106,57 +105,19 @@ class Translate(CommandLineTest):
                 self.assert_close(row["low"], row["value"] / times, 1e-12)
                 self.assert_close(row["high"], row["value"] * times, 1e-12)
 
-    def test_patch(self):
-        """The largest moment of a uniform square of side d is mu P d (sqrt 2 + ln(1 + sqrt 2))/6, by integration of the
-        distance."""
-        side = 0.01
-        lever = side * (math.sqrt(2) + math.log(1 + math.sqrt(2))) / 6
-        found = {
-            (row["engine"], row["parameter"]): row
-            for row in rows("translate", "--patch", f"rectangle:x={side},y={side}", "--mu", "0.8")
-        }
-        self.assert_close(found["mujoco", "geom.friction[1]"]["value"], 0.8 * lever, 1e-12)
-        self.assert_close(found["sapien", "min_patch_radius"]["value"], lever, 1e-12)
-        for parameter, told in (("geom.friction[1]", True), ("geom.friction[0]", False)):
-            self.assertEqual("one contact point (a ball" in found["mujoco", parameter]["note"], told)
-
     def test_what_a_number_means(self):
         reading = ["translate", "--law", "uniform", "--mu", "0.5", "--read"]
         self.assertEqual(header(*reading, "mujoco.torsional=0.005"),
                          "engine,parameter,value,moment_per_load,radius,note")
         row, = rows("translate", "--law", "hertz", "--mu", "1", "--read", "mujoco.torsional=0.005")
         self.assertAlmostEqual(1e3 * row["radius"], 8.5, delta=0.05)
-        for text, parameter, moment in (("mujoco.torsional=0.005", "geom.friction[1]",
-                                         0.005), ("mujoco.geom.friction[1]=5e-3", "geom.friction[1]",
-                                                  0.005), ("isaac-lab.min_torsional_patch_radius=0.1",
-                                                           "physxCollision:minTorsionalPatchRadius", 0.05),
-                                        ("gazebo.patch_radius=0.016", "surface/friction/torsional/patch_radius",
-                                         0.003 * math.pi), ("pybullet.spinningFriction=0.1", "setSpinningFriction",
-                                                            0.1)):
-            row, = rows(*reading, text)
-            self.assertEqual(row["parameter"], parameter)
-            self.assert_close(row["moment_per_load"], moment, 1e-14)
-            self.assert_close(row["radius"], moment / 0.5 / (2 / 3), 1e-14)
-            self.assertEqual("no fingertip" in row["note"], not 1e-3 <= row["radius"] <= 2e-2)
         both = rows(*reading, "dart.friction=0.5", "--read", "ode.torsional=0.002")
         self.assertEqual([(row["engine"], row["radius"]) for row in both], [("dart", ""), ("ode", 0.006)])
 
     def test_names_and_attributes_as_they_stand_in_files(self):
-        reading = ["translate", "--law", "uniform", "--mu", "0.5"]
-        for text in ("bullet.spinning_friction", "newton:torsionalFriction", "newton.shape_material_mu_torsional",
-                     "mujoco.geom_friction[1]", "mujoco.friction[1]", "mujoco.pair.torsional",
-                     "physxCollision:minTorsionalPatchRadius"):
-            row, = rows(*reading, "--read", text + "=0.01")
-            self.assert_close(row["moment_per_load"], 0.005 if "Patch" in text else 0.01, 1e-14)
         found = rows("translate", "--law", "uniform", "--read", "mujoco.friction=1.5 0.006 0.0002")  # friction and all
         self.assertEqual([(row["value"], row["moment_per_load"]) for row in found], [(1.5, ""), (0.006, 0.006),
                                                                                      (0.0002, "")])
-        self.assert_close(found[1]["radius"], 0.006, 1e-14)
-        found = rows(*reading, "--read", "mujoco.pair.friction=1 1 0.005 0.0001 0.0001", "--read",
-                     "mujoco.pair.condim=3")
-        self.assertEqual(found[2]["moment_per_load"], 0)
-        found = rows(*reading, "--read", "gazebo.use_patch_radius=false", "--read", "gazebo.patch_radius=0.1")
-        self.assertEqual(found[1]["moment_per_load"], 0)
 
     def test_several_frictions(self):
         """mu_r follows mu: the rows of each are those of a call of its own."""
