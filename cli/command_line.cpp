@@ -114,23 +114,21 @@ void declare(CLI::App& whole, Entry& entry, bool all) {
 }
 
 void check_subcommand(const std::string& name, const std::vector<Entry>& entries) {
-  std::string expected;
+  std::string all;
   std::vector<std::string_view> known{"--help", "--version"};
   for (const Entry& entry : entries) {
     if (entry.app->get_name() == name) return;
-    expected += ' ' + entry.app->get_name();
+    all.append(all.empty() ? "; there are " : ", ").append(entry.app->get_name());
     known.push_back(entry.app->get_name());
   }
-  if (name == "fit") {
-    throw std::invalid_argument("subcommand '" + name +
-                                "' is not in this executable (it needs Ceres), expected one of" + expected);
-  }
-  throw std::invalid_argument((name.empty() ? "no subcommand" : "unknown subcommand '" + name + "'") +
-                              ", expected one of" + expected + did_you_mean(name, known));
+  if (name == "fit")
+    throw std::invalid_argument("this limitcurve was built without Ceres and has no 'fit': install Ceres and rebuild");
+  throw std::invalid_argument("no subcommand" + (name.empty() ? "" : " '" + name + "'") + did_you_mean(name, known) +
+                              all);
 }
 
-/// What to say of the first argument that looks like an option and is none of the subcommand's; empty if nothing helps.
-std::string option_meant(const std::vector<std::string>& arguments, const std::vector<Entry>& entries) {
+/// Names the first argument that looks like an option and is none of the subcommand's; "" if there is none.
+std::string unknown_option(const std::vector<std::string>& arguments, const std::vector<Entry>& entries) {
   std::vector<std::string> names;
   for (const Entry& entry : entries) {
     if (entry.app->get_name() != arguments[0]) continue;
@@ -143,8 +141,8 @@ std::string option_meant(const std::vector<std::string>& arguments, const std::v
     return argument.starts_with("--") && std::find(names.begin(), names.end(), word(argument)) == names.end();
   });
   if (unknown == arguments.end()) return "";
-  const std::string meant = did_you_mean(word(*unknown), {names.begin(), names.end()});
-  return meant.empty() ? "" : "; '" + word(*unknown) + "' is none of its options" + meant;
+  return arguments[0] + " has no option '" + word(*unknown) + "'" +
+         did_you_mean(word(*unknown), {names.begin(), names.end()});
 }
 
 /// "--mu, --stiffness are required" of the subcommand that was parsed; empty if nothing is missing.
@@ -204,6 +202,7 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
   if (arguments.empty()) throw NoSubcommand(app.help());
   const std::string name = arguments[0];
   if (name != "-h" && name != "--help" && name != "--version" && name != "-V") check_subcommand(name, entries);
+  const std::string see = " (see 'limitcurve help " + name + "')";
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::CallForHelp&) {
@@ -213,14 +212,14 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
     results.output.write(std::string(version.what()) + "\n");
     return results.output.flush();
   } catch (const CLI::ExtrasError&) {
-    std::string unknown;  // as they were typed: the error has them from the last
-    for (const std::string& argument : app.remaining(true)) unknown += ' ' + argument;
-    throw std::invalid_argument("these arguments were not expected:" + unknown + " (expected usage: limitcurve " +
-                                name + " --help)" + option_meant(arguments, entries));
+    const std::string unknown = unknown_option(arguments, entries);
+    throw std::invalid_argument(
+        (unknown.empty() ? name + " takes no argument '" + app.remaining(true).front() + "'" : unknown) + see);
   } catch (const CLI::ParseError& error) {
     const std::string missing = missing_options(entries);
+    const std::string unknown = unknown_option(arguments, entries);
     throw std::invalid_argument((missing.empty() ? std::string(error.what()) : missing) +
-                                " (expected usage: limitcurve " + name + " --help)" + option_meant(arguments, entries));
+                                (unknown.empty() ? "" : "; " + unknown) + see);
   }
   for (const Entry& entry : entries) {
     if (!entry.app->parsed()) continue;

@@ -48,7 +48,7 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   const std::size_t least = internal::least_rows_of_choice(options.fit_gamma ? 4 : 3);
   if (rows < least)
     throw std::invalid_argument(std::to_string(rows) + " samples are too few to choose a law, expected at least " +
-                                std::to_string(least) + ", or a law (--law)");
+                                std::to_string(least) + ", or name a law");
   LawSelection selection;
   // The families, a Gaussian whose radius is sigma, and every law of one shape. A pressure like 1/ρ at the
   // centre is none: it would explain every peak there, and hide that no law does.
@@ -65,9 +65,9 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   try {
     for (const ContactModel& model : models) fits.push_back(internal::fit_prepared(preparation, model, options));
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(
-        std::string(error.what()) +
-        "; to distinguish laws, use slips that slide and twist at once, more of them than parameters");
+    throw std::invalid_argument(std::string(error.what()) +
+                                ". To tell laws apart, record slips that slide and twist at once, and more slips than "
+                                "the model has parameters");
   }
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

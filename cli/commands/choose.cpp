@@ -76,7 +76,7 @@ appears if k_r/k_l is more than ten times above or below (mu_r/mu_l)^2, the rati
   }
 
   void run(const Results& results) override {
-    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument(what_contact(!patch_.empty()));
     if (!scene_wanted_) refuse_scene_options(results);
     if (!patch_.empty() && scene_wanted_)
       throw std::invalid_argument("--scene works with --law only, not with --patch: a scene needs a round contact");
@@ -85,7 +85,7 @@ appears if k_r/k_l is more than ten times above or below (mu_r/mu_l)^2, the rati
     } else if (law_ != nullptr) {
       results.messages->say(law_->remarks());
     }
-    if (radius_law_ && scene_.mu_r) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
+    if (radius_law_ && scene_.mu_r) check_moment(true, true);
     note_profile_error(law_, *results.messages);
     scene_wanted_ ? choose_for_scene(results) : choose_curve(results);
   }
@@ -142,7 +142,7 @@ appears if k_r/k_l is more than ten times above or below (mu_r/mu_l)^2, the rati
     write(results, choice.candidates);
     for (const std::string& line : choice.verdict) {
       if (!choice.chosen && line == choice.verdict.back())
-        throw std::runtime_error(line + "; expected a larger --tolerance");
+        throw std::runtime_error(line + "; choose a larger --tolerance");
       results.messages->say("limitcurve: " + line);
     }
     if (!radius_law_ && !scene_.mu_r) {
@@ -155,7 +155,7 @@ appears if k_r/k_l is more than ten times above or below (mu_r/mu_l)^2, the rati
     finger.mu_r = scene_.mu_r;
     finger.stiffness = scene_.stiffness;
     finger.twist_stiffness = scene_.twist_stiffness;
-    note_stiffnesses(*results.messages, "the rows of the radial projection", finger, law_->moment_ratio(),
+    note_stiffnesses(*results.messages, "the radial projection", finger, law_->moment_ratio(),
                      std::array{scene_.least_load, scene_.most_load});
   }
 

@@ -95,22 +95,26 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
     if (settings_.law != nullptr) messages_->say(settings_.law->remarks());
     settings_.loss = fit::Loss::of(settings_.loss.kind);
     if (data_.empty() && (file_columns_.given() || file_columns_.least_load))
-      throw std::invalid_argument("--columns, --units, --least-load: go with --data");
+      throw std::invalid_argument("--columns, --units, --least-load need --data");
     file_columns_.check_zero();
     if (covariance_ && (data_.empty() || kind_ == fit::Kind::friction))
-      throw std::invalid_argument("--covariance: only with --data, and not for fit friction");
+      throw std::invalid_argument("--covariance needs --data, and a model other than friction");
     if (residuals_ && (data_.empty() || (kind_ != fit::Kind::law && kind_ != fit::Kind::ellipse)))
-      throw std::invalid_argument("--residuals: only for a curve that is fitted to the slips of --data, got fit " +
-                                  name());
+      throw std::invalid_argument("--residuals needs --data and the model ellipse or law, got fit " + name());
     const bool is_friction = kind_ == fit::Kind::friction;
     if (!is_friction && !patch_.empty())
-      throw std::invalid_argument("--patch: only for fit friction, got fit " + name());
-    if (!is_friction && load_) throw std::invalid_argument("--load: only for fit friction, got fit " + name());
+      throw std::invalid_argument("--patch needs the model friction, got fit " + name());
+    if (!is_friction && load_) throw std::invalid_argument("--load needs the model friction, got fit " + name());
     const fit::ModelFit found = this->found();
     warn_idle(results, kind_ == fit::Kind::ratio && found.report.find(fit::Estimate::Role::force) == nullptr);
     for (const auto& [model, difference] : found.candidates)
-      say("note", model + ": AIC " + format_number(difference, 3) + " above the best");
-    if (kind_ != fit::Kind::load && found.model != name()) say("note", "the model is " + found.model);
+      say("note", difference > 0.0 ? model + " explains the slips worse than the best law (AIC " +
+                                         format_number(difference, 3) + " higher)"
+                                   : model + " explains the slips best");
+    if (kind_ != fit::Kind::load && found.model != name())
+      say("note", kind_ == fit::Kind::law && settings_.law == nullptr
+                      ? "the best law is " + found.model
+                      : "the fit assumes the pressure law " + found.model + "; for another, add --law");
     if (!is_friction) describe(found);
     for (const std::string& warning : found.report.warnings) say("warning", warning);
     if (is_friction) return write(results, found.report.estimates, patch_ + found.report.note);
@@ -186,12 +190,18 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
 
   /// A note or warning that the user must know before using the numbers.
   void say(const char* kind, std::string text) const {
-    // Of a file the rows are named by their lines.
+    const auto put = [&](std::string_view words, std::string_view own) {
+      const std::size_t place = text.find(words);
+      if (place != std::string::npos) text.replace(place, words.size(), own);
+    };
+    // Of a file the rows are named by their lines, and the library's advice by the options that follow it.
     constexpr std::string_view from_one = "(the first is 1)";
     const std::size_t at = text.find(from_one);
     const bool is_file = !data_.empty() && MemoryColumns::find(data_) == nullptr;
     if (is_file && at != std::string::npos)
       text.replace(text.rfind(" of ", at), at + from_one.size() - text.rfind(" of ", at), " (lines of the file)");
+    put("use the loss cauchy", "add --loss cauchy");
+    put("fit gamma as well", "add --fit-gamma");
     messages_->say("limitcurve: " + std::string(kind) + ": " + text);
   }
 
@@ -200,22 +210,25 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
     constexpr double largest_radius = 0.1;
     for (const fit::Estimate& estimate : report.estimates) {
       if (estimate.role != fit::Estimate::Role::radius || !(estimate.value > largest_radius)) continue;
-      say("warning",
-          estimate.name + " = " + format_number(estimate.value, 3) + " " + estimate.unit + ": are the data in metres?");
+      say("warning", estimate.name + " = " + format_number(estimate.value, 3) + " " + estimate.unit +
+                         " is a contact radius of more than 0.1 m at 1 N: are the data in millimetres? Then add "
+                         "--units length=mm, or moment=Nmm for moments");
     }
   }
 
   /// Quality of the fit.
   void describe(const fit::ModelFit& found) const {
     const fit::FitReport& report = found.report;
-    std::string text = std::to_string(report.residuals) + " residuals, " + std::to_string(report.free_parameters) +
-                       " free parameters, rms " + format_number(report.rms, 3) + "; ";
+    std::string text = "fitted " + std::to_string(report.free_parameters) + " parameters to " +
+                       std::to_string(report.residuals) + " residuals, rms " + format_number(report.rms, 3) + " (" +
+                       report.message + ")";
+    const auto percent = [](double fraction) { return format_number(100.0 * fraction, 3) + " %"; };
     if (found.error) {
-      text += "too strong by up to " + format_number(found.error->max_over_estimate, 3) + ", too weak by up to " +
-              format_number(found.error->max_under_estimate, 3) + ", its centre of rotation off by up to " +
-              format_number(found.error->max_cor_error, 3) + "; ";
+      text += "; the model overestimates by up to " + percent(found.error->max_over_estimate) +
+              ", underestimates by up to " + percent(found.error->max_under_estimate) +
+              ", and misplaces the centre of rotation by up to " + percent(found.error->max_cor_error);
     }
-    say("note", text + report.message);
+    say("note", text);
   }
 
   static constexpr int digits = 6;  ///< of a suggested parameter
@@ -228,7 +241,7 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
     if (kind_ == fit::Kind::ratio && mu == nullptr) return;  // without mu there is no finger
     const bool follows_outliers = found.report.scatter_refused && settings_.loss.kind == fit::Loss::Kind::squared;
     if (kind_ == fit::Kind::law && (found.report.gamma_refused || follows_outliers)) {
-      return say("note", std::string("no parameters suggested: the data reject this model; add") +
+      return say("note", std::string("the data reject this model, so no parameters are suggested; try again with") +
                              (found.report.gamma_refused ? " --fit-gamma" : "") +
                              (follows_outliers ? " --loss cauchy" : ""));
     }
@@ -281,7 +294,7 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
     if (data_.empty()) {
       if (kind_ != Kind::ellipse) throw std::invalid_argument("--data is required to fit '" + name() + "'");
       if (settings_.law == nullptr)
-        throw std::invalid_argument("--data or --law is required, to fit to measurements or to the exact curve");
+        throw std::invalid_argument("give --data to fit measurements, or --law to fit the exact curve");
       return fit::fit(kind_, settings_.law, settings_);
     }
     switch (kind_) {

@@ -104,20 +104,19 @@ gravity pulls along --down, and the centre of mass is --offset from the origin t
   void run(const Results& results) override {
     const godobject::CurveKind kind = curve_;
     if (patch_.empty()) law_ = law_if_needed(law_, kind, torsion_.mu_r.has_value());
-    if (patch_.empty() == (law_ == nullptr))
-      throw std::invalid_argument("expected one of --law and --patch, or --curve ellipse or box with --mu-r");
+    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument(what_contact(!patch_.empty()));
     const int given = static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) +
                       static_cast<int>(fingers_ || mass_ || offset_);
     if (given != 1)
-      throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
+      throw std::invalid_argument(std::string(given == 0 ? "say what the contact must carry: " : "give only one of ") +
+                                  "--force and --moment, or --data, or --mass and --offset");
     columns_.messages = results.messages;
-    if (data_.empty() && !columns_.names.empty()) throw std::invalid_argument("--columns: goes with --data");
+    if (data_.empty() && !columns_.names.empty()) throw std::invalid_argument("--columns needs --data");
     columns_.check_zero();
-    if (data_.empty() && columns_.least_load) throw std::invalid_argument("--least-load: goes with --data");
+    if (data_.empty() && columns_.least_load) throw std::invalid_argument("--least-load needs --data");
     if (mass_ && columns_.given())
-      throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
-    if (!down_.empty() && (patch_.empty() || !mass_))
-      throw std::invalid_argument("--down: goes with --patch and --mass");
+      throw std::invalid_argument("--units has no effect on --mass and --offset, which are in kg and m: leave it out");
+    if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down needs --patch and --mass");
     results.warn_idle({{"--gravity", !fingers_ && !mass_ && !offset_}}, "hold without --mass");
     results.warn_idle({{"--law", patch_.empty() && law_if_needed(nullptr, kind, torsion_.mu_r.has_value()) != nullptr &&
                                      law_->profile_error() == 0.0}},
@@ -138,9 +137,10 @@ gravity pulls along --down, and the centre of mass is --offset from the origin t
     }
     if (torsion_.given())
       throw std::invalid_argument(
-          "--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
+          "--radius-law, --mu-r, --gamma have no effect with --patch, which has its own size and moments: leave them "
+          "out");
     if (results.has("--curve"))
-      throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
+      throw std::invalid_argument("--curve has no effect with --patch, which is its own limit surface: leave it out");
     const Patch patch = read_patch(patch_, *results.messages);
     const auto least = [&](const Need& need) { return load_to_hold(patch, mu_, {need.fx, need.fy, need.moment}); };
     write(results, least, [&](const Need& need, double load) { return least(need) / load; }, {});
@@ -226,20 +226,23 @@ gravity pulls along --down, and the centre of mass is --offset from the origin t
 
   [[nodiscard]] Need single() const {
     if (fingers_ || mass_ || offset_) {
-      if (!mass_ || !offset_) throw std::invalid_argument("--mass and --offset: expected both");
+      if (!mass_) throw std::invalid_argument("--mass is missing: --offset or --fingers needs it");
+      if (!offset_) throw std::invalid_argument("--offset is missing: --mass needs it");
       const double weight = *mass_ * gravity_ / static_cast<double>(fingers_.value_or(2));
       if (patch_.empty()) return {weight, 0.0, weight * *offset_};
       const std::vector<double> down = down_.empty() ? std::vector{0.0, -1.0} : down_;
       const double length = down.size() == 2 ? std::hypot(down[0], down[1]) : 0.0;
-      if (!(length > 0.0)) throw std::invalid_argument("--down: expected X,Y, two numbers that are not both 0");
+      if (!(length > 0.0)) throw std::invalid_argument("--down: give two numbers X,Y that are not both 0");
       return {weight * down[0] / length, weight * down[1] / length, 0.0 - weight * *offset_};
     }
     const std::size_t expected = patch_.empty() ? 1 : 2;
     if (!force_.empty() && force_.size() != expected) {
-      throw std::invalid_argument("--force: got " + std::to_string(force_.size()) + " numbers, expected " +
-                                  (expected == 1 ? "one, F" : "two, FX,FY"));
+      throw std::invalid_argument(
+          "--force: got " + std::to_string(force_.size()) + " numbers, expected " +
+          (expected == 1 ? "1, the size of the friction force; two components need --patch" : "2, FX,FY"));
     }
-    if (force_.empty() || !moment_) throw std::invalid_argument("--force and --moment: expected both");
+    if (force_.empty()) throw std::invalid_argument("--force is missing: --moment needs it");
+    if (!moment_) throw std::invalid_argument("--moment is missing: --force needs it");
     const double unit = columns_.scale("force");
     return {unit * force_[0], expected == 2 ? unit * force_[1] : 0.0, columns_.scale("moment") * *moment_};
   }

@@ -48,7 +48,7 @@ class LoadCurves final : public Subcommand {
   void run(const Results& results) override {
     if (stiffness_.has_value() != twist_stiffness_.has_value()) {
       throw std::invalid_argument(std::string(stiffness_ ? "--twist-stiffness" : "--stiffness") +
-                                  ": absent, expected both stiffnesses or none");
+                                  " is missing: r and rho need both stiffnesses");
     }
     moment_.check(law_, *results.messages);
     const ContactFriction contact = moment_.with(friction_, law_);

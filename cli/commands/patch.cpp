@@ -109,16 +109,16 @@ polytope's radius over the limit surface's in the worst direction. There are 8, 
   }
 
   void run(const Results& results) override {
-    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --patch and --law");
+    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument(what_contact(!patch_.empty()));
     if (int{!twists_.empty()} + int{!wrenches_.empty()} + int{half_spaces_.has_value()} != 1) {
-      throw std::invalid_argument("expected one of --twists, --wrenches and --half-spaces");
+      throw std::invalid_argument("give one of --twists, --wrenches and --half-spaces");
     }
-    if (load_ && twists_.empty())
-      throw std::invalid_argument("--load: goes with --twists; with --wrenches it is a result");
+    if (load_ && twists_.empty()) throw std::invalid_argument("--load needs --twists; with --wrenches it is a result");
     if (law_ != nullptr) return slip_of_round_contact(results);
     if (moment_.given())
       throw std::invalid_argument(
-          "--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
+          "--radius-law, --mu-r, --gamma have no effect with --patch, which has its own size and moments: leave them "
+          "out");
     const Patch patch = read_patch(patch_, *results.messages);
     results.warn_idle({{"--mu", half_spaces_.has_value()}}, "--half-spaces, whose wrenches are in units of mu P");
     if (half_spaces_) return write_half_spaces(results, half_spaces(patch, *half_spaces_));
@@ -157,8 +157,8 @@ polytope's radius over the limit surface's in the worst direction. There are 8, 
   }
 
   void slip_of_round_contact(const Results& results) {
-    if (half_spaces_) throw std::invalid_argument("--half-spaces: goes with --patch; for a law see 'limitcurve curve'");
-    if (wrenches_.empty()) throw std::invalid_argument("--law: goes with --wrenches; for twists see 'limitcurve eval'");
+    if (half_spaces_) throw std::invalid_argument("--half-spaces needs --patch; for a law see 'limitcurve help curve'");
+    if (wrenches_.empty()) throw std::invalid_argument("--law needs --wrenches; for twists see 'limitcurve help eval'");
     moment_.check(law_, *results.messages);
     const ContactFriction contact = moment_.with(mu_, law_);
     const ExactCurve curve(law_);

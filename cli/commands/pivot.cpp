@@ -142,7 +142,9 @@ eq. 7).)",
 
   void run(const Results& results) override {
     if (!case_ && !settings_.curve && !settings_.projection && !radius_law_) {
-      throw std::invalid_argument("--case is required, unless --curve, --projection or --radius-law is given");
+      throw std::invalid_argument(
+          "choose a friction model: --case coupled, uncoupled or exact, or your own by --curve, --projection or "
+          "--radius-law");
     }
     if (settings_.law != nullptr) results.messages->say(settings_.law->remarks());
     settings_.kind = case_.value_or(PivotCase::exact);
@@ -151,7 +153,7 @@ eq. 7).)",
       settings_.mu = material.mu;
       settings_.mu_r = material.mu_r;
     }
-    if (radius_law_ && mu_r_) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
+    if (radius_law_ && mu_r_) check_moment(true, true);
     settings_.mu = mu_.value_or(settings_.mu);
     if (radius_law_) {
       if (settings_.law == nullptr) settings_.law = hertz();
@@ -160,7 +162,7 @@ eq. 7).)",
     }
     if (mu_r_) settings_.mu_r = mu_r_;
     if (!grip_file_.empty() + !release_.empty() + settings_.grip_operator.has_value() > 1) {
-      throw std::invalid_argument("got several of --grip, --release and --operator, expected one");
+      throw std::invalid_argument("give only one of --grip, --release and --operator");
     }
     settings_.grip = grip_file_.empty() ? release_ : read_grip(grip_file_);
     godobject::Pivot pivot(settings_);
@@ -210,9 +212,9 @@ eq. 7).)",
     const double load = pivot.row().load;
     const double needed = pivot.holding_load();
     if (load < needed) {
-      messages.say("limitcurve: warning: the grip begins at " + format_number(load, 3) +
-                   " N a finger and does not hold the block: " +
-                   (std::isfinite(needed) ? "that needs " + format_number(needed, 3) + " N" : "no load does"));
+      messages.say("limitcurve: warning: the grip starts at " + format_number(load, 3) +
+                   " N per finger, which does not hold the block; " +
+                   (std::isfinite(needed) ? "it needs " + format_number(needed, 3) + " N" : "no load does"));
     }
   }
 

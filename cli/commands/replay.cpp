@@ -164,13 +164,8 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
   void run(const Results& results) override {
     check_patch();
     take_own_radii(radius_law_, replay_.finger.mu_r.has_value(), replay_.law, *results.messages);
-    if (radius_law_ && replay_.finger.mu_r)
-      throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
-    if (radius_law_) {
-      replay_.finger.radius_law = radius_law_->of(replay_.finger.mu, replay_.law);
-    } else if (!replay_.finger.mu_r && patch_.empty()) {
-      throw std::invalid_argument("--radius-law is required, unless --mu-r is given");
-    }
+    if (patch_.empty()) check_moment(radius_law_.has_value(), replay_.finger.mu_r.has_value());
+    if (radius_law_) replay_.finger.radius_law = radius_law_->of(replay_.finger.mu, replay_.law);
     columns_.messages = results.messages;
     const bool is_round = patch_.empty();
     results.warn_idle({{"--law", is_round && law_if_needed(nullptr, replay_.curve, !radius_law_) != nullptr},
@@ -195,23 +190,23 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
  private:
   void check_patch() {
     if (patch_.empty()) replay_.law = law_if_needed(replay_.law, replay_.curve, replay_.finger.mu_r.has_value());
-    if (patch_.empty() == (replay_.law == nullptr))
-      throw std::invalid_argument("expected one of --law and --patch, or --curve ellipse or box with --mu-r");
+    if (patch_.empty() == (replay_.law == nullptr)) throw std::invalid_argument(what_contact(!patch_.empty()));
     if (patch_.empty()) {
-      if (point_radius_) throw std::invalid_argument("--point-radius: goes with --patch");
+      if (point_radius_) throw std::invalid_argument("--point-radius needs --patch");
       return;
     }
     const auto refuse = [](const char* option, bool given) {
       if (given)
-        throw std::invalid_argument(std::string(option) + ": not with --patch, which has its own size and moments");
+        throw std::invalid_argument(std::string(option) +
+                                    " has no effect with --patch, which has its own size and moments: leave it out");
     };
     refuse("--radius-law", radius_law_.has_value());
     refuse("--mu-r", replay_.finger.mu_r.has_value());
     refuse("--mu-r-dynamic", replay_.finger.mu_r_dynamic.has_value());
     if (replay_.projection != Projection::closest_point)
-      throw std::invalid_argument("--projection: a patch needs closest-point");
+      throw std::invalid_argument("--patch works only with --projection closest-point, the default");
     if (replay_.curve != CurveKind::table && replay_.curve != CurveKind::exact) {
-      throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
+      throw std::invalid_argument("--curve has no effect with --patch, which is its own limit surface: leave it out");
     }
   }
 
@@ -250,7 +245,7 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
                                                                             : std::numeric_limits<double>::infinity());
     }
     if (std::all_of(steps.begin(), steps.end(), [](double step) { return std::isinf(step); }))
-      throw std::invalid_argument("--check-gains: the trace has no time steps up to 1 s, expected T=SECONDS");
+      throw std::invalid_argument("--check-gains: the trace has no time steps up to 1 s: add T=SECONDS");
     godobject::require_passive(replay_.finger, steps, *device_, delay_);
   }
 
@@ -274,7 +269,8 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
                               format_number(godobject::Replay::longest_step) + " s for a free body");
       }
       if (reads_ahead() && step == 0.0)
-        throw trace.complaint("--check-gains: the time of the last sample again, expected T=SECONDS, the device's");
+        throw trace.complaint(
+            "--check-gains: the time of the last sample again: add T=SECONDS, the device's sample time");
       return true;
     };
     std::vector<Sample> ahead;
@@ -332,7 +328,8 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
     for (const auto& [fault, samples] : refused) {
       results.messages->say(
           "limitcurve: note: " + std::to_string(samples.count) + (samples.count == 1 ? " sample" : " samples") +
-          " invalid, from time " + format_number(samples.since) + " s on: " + std::string(to_string(fault)) +
+          (samples.count == 1 ? " is" : " are") + " invalid, the first at " + format_number(samples.since) +
+          " s: " + std::string(to_string(fault)) +
           (fault == godobject::Fault::time_step ? ", after " + format_number(samples.after) + " s" : ""));
     }
     // Without any contact, check at 1 N.

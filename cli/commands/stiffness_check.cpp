@@ -37,11 +37,11 @@ void note_stiffnesses(Messages& messages, const std::string& subject, const godo
   }
   if (worst_load == 0.0) return;
   const double times = ratio / (worst_arm * worst_arm);
-  messages.say("limitcurve: note: " + subject + ": k_r/k_l is " + format_number(times, 2) + " times (mu_r/mu_l)^2 at " +
-               format_number(worst_load, 2) + " N, where mu_r/mu_l is " + format_number(worst_arm, 2) +
-               " m: a finger that slides and twists renders hardly any friction " + (times > 1.0 ? "force" : "moment") +
-               "; use closest-point, or k_r = " + format_number(worst_arm * worst_arm * finger.stiffness, 2) +
-               " N m/rad");
+  messages.say("limitcurve: note: with " + subject + " a finger that slides and twists has almost no friction " +
+               (times > 1.0 ? "force" : "moment") + " here, because k_r/k_l is " + format_number(times, 2) +
+               " times (mu_r/mu_l)^2 (at " + format_number(worst_load, 2) + " N, mu_r/mu_l = " +
+               format_number(worst_arm, 2) + " m). Use --projection closest-point, or --twist-stiffness " +
+               format_number(worst_arm * worst_arm * finger.stiffness, 2));
 }
 
 }  // namespace limitcurve::cli

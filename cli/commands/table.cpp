@@ -50,7 +50,7 @@ units of mu P, and of the moment in units of the largest moment), and bytes.)",
   }
 
   void run(const Results& results) override {
-    if ((law_ == nullptr) == patch_.empty()) throw std::invalid_argument("expected one of --law and --patch");
+    if ((law_ == nullptr) == patch_.empty()) throw std::invalid_argument(what_contact(!patch_.empty()));
     if (!patch_.empty()) return of_patch(results);
     results.messages->say(law_->remarks());
     const double tolerance =
@@ -65,7 +65,7 @@ units of mu P, and of the moment in units of the largest moment), and bytes.)",
         limitcurve::Table::build(law_, of_table, {.preferred_bytes = bytes_.value_or(TableOptions{}.preferred_bytes)});
     const double error = is_single_ ? single_precision_error(table) : table.checked_error();
     if (const double least = error / std::max(1.0, table.moment_ratio()); is_single_ && least > tolerance) {
-      throw std::runtime_error("table of " + table.law_name() + " in single precision: expected a tolerance of " +
+      throw std::runtime_error("table of " + table.law_name() + " in single precision: choose a --tolerance of " +
                                format_number(least) + " or more");
     }
     AtomicFile file(file_);
@@ -81,7 +81,8 @@ units of mu P, and of the moment in units of the largest moment), and bytes.)",
   void of_patch(const Results& results) const {
     const Patch patch = read_patch(patch_, *results.messages);
     if (bytes_ || !name_.empty() || is_single_)
-      throw std::invalid_argument("--preferred-bytes, --name, --real: not with --patch, whose tables have one form");
+      throw std::invalid_argument(
+          "--preferred-bytes, --name, --real have no effect with --patch, whose tables have one form: leave them out");
     const PatchTableWriter text_of = patch_table_writer(file_, "--output");
     const auto table = PatchTable::build(patch, tolerance_.value_or(PatchTable::default_tolerance), patch_);
     AtomicFile file(file_);

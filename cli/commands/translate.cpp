@@ -123,17 +123,21 @@ Numbers of one engine describe one contact; a parameter that comes again begins 
   }
 
   void run(const Results& results) override {
-    const auto refuse = [](const char* option, bool given, const char* why) {
-      if (given) throw std::invalid_argument(std::string(option) + ": not with " + why);
+    const auto refuse = [](const std::string& option, bool given, const char* why) {
+      const bool several = option.find(',') != std::string::npos;
+      if (given)
+        throw std::invalid_argument(option + (several ? " have" : " has") + " no effect with " + why + ": leave " +
+                                    (several ? "them" : "it") + " out");
     };
     if (!readings_.empty()) {
       refuse("--radius-law, --mu-r, --gamma", moment_.given(), "--read, which finds the radius");
       refuse("--patch", !patch_.empty(), "--read, which finds a radius");
-      refuse("--load", load_.has_value(), "--read, which finds the moment over the load");
-      refuse("--loads", !loads_.empty(), "--read, which finds the moment over the load");
+      refuse("--load", load_.has_value(), "--read, which gives the moment divided by the load");
+      refuse("--loads", !loads_.empty(), "--read, which gives the moment divided by the load");
       refuse("--engine", !engine_.empty(), "--read, which names the engine");
-      refuse("--mu", frictions_.size() > 1, "--read if it has several values");
-      if (law_ == nullptr) throw std::invalid_argument("--law is required");
+      if (frictions_.size() > 1) throw std::invalid_argument("--mu: --read needs one value");
+      if (law_ == nullptr)
+        throw std::invalid_argument("--law is required: --read finds the radius that has the moment under it");
       results.warn_idle({{"--explain", true}}, "translate --read");
       return read(results);
     }
@@ -149,20 +153,22 @@ Numbers of one engine describe one contact; a parameter that comes again begins 
       return write(results, [&](double mu) { return engines::translate(patch, mu); });
     }
     if (law_ == nullptr && !moment_.mu_r)
-      throw std::invalid_argument("expected one of --law, --mu-r, --patch and --read");
+      throw std::invalid_argument("say what to translate: --law or --mu-r, or --patch, or --read");
     moment_.check(law_, *results.messages);
     if (moment_.mu_r && frictions_.size() > 1)
-      throw std::invalid_argument("--mu: one value beside --mu-r, which was measured under it");
-    if (!load_) throw std::invalid_argument("--load is required");
+      throw std::invalid_argument(
+          "--mu-r was measured at one --mu: give one value of --mu, or --radius-law instead of --mu-r");
+    if (!load_)
+      throw std::invalid_argument("--load is required, the normal load [N] at which the engine gets the exact limits");
     note_profile_error(law_, *results.messages);
     if (!loads_.empty() && (loads_.size() != 2 || loads_[0] > loads_[1])) {
-      throw std::invalid_argument("--loads: expected two numbers LOW,HIGH with LOW <= HIGH");
+      throw std::invalid_argument("--loads: give two numbers LOW,HIGH, the smaller first");
     }
     if (law_ == nullptr) {
       law_ = hertz();
       results.messages->say(
-          "limitcurve: note: no --law: the errors are against Hertz's curve; the coefficients need no law beside "
-          "--mu-r");
+          "limitcurve: note: without --law, the errors are against the curve of Hertz; the coefficients follow from "
+          "--mu-r and need no law");
     }
     const engines::LoadRange range =
         loads_.empty() ? engines::LoadRange{*load_ / 4.0, 4.0 * *load_} : engines::LoadRange{loads_[0], loads_[1]};
@@ -184,8 +190,8 @@ Numbers of one engine describe one contact; a parameter that comes again begins 
     for (const std::string& engine : engines::engines_of_one_friction()) {
       if (engine == engine_) {
         throw std::invalid_argument(
-            "--engine: " + engine + " has one coefficient of friction, and mx = " + format_number(mx) +
-            ", my = " + format_number(my) + " differ: expected an engine with two, mujoco, gazebo, gz-sim or ode");
+            "--engine: " + engine + " has one friction coefficient for all directions, but this patch has two (mx = " +
+            format_number(mx) + ", my = " + format_number(my) + "): use mujoco, gazebo, gz-sim or ode, or set mx = my");
       }
       names += ' ' + engine;
     }

@@ -87,11 +87,10 @@ wrench within 1e-6 of theirs. With --law signs do not matter. Errors are gauge -
   }
 
   void run(const Results& results) override {
-    if (!laws_.empty() && !patches_.empty())
-      throw std::invalid_argument("--patch: got --law too, expected one of them");
+    if (!laws_.empty() && !patches_.empty()) throw std::invalid_argument(what_contact(true));
     for (const Law& law : laws_) results.messages->say(law->remarks());
     if (!file_.empty()) return validate_points(results);
-    if (mu_ || load_ || radius_) throw std::invalid_argument("--mu, --load, --radius: go with --points");
+    if (mu_ || load_ || radius_) throw std::invalid_argument("--mu, --load, --radius need --points");
     if (!patches_.empty()) return validate_patches(results);
     if (laws_.empty()) {
       for (const std::string_view name : law_examples()) laws_.push_back(parse_law(name));
@@ -153,8 +152,9 @@ wrench within 1e-6 of theirs. With --law signs do not matter. Errors are gauge -
   void validate_points(const Results& results) const {
     const bool is_round = patches_.empty();
     if (is_round && laws_.empty())
-      throw std::invalid_argument("--points: expected one of --law and --patch, which it is compared with");
-    if (!is_round && radius_) throw std::invalid_argument("--radius: not with --patch, which has its own size");
+      throw std::invalid_argument("--points needs --law or --patch to compare the points with");
+    if (!is_round && radius_)
+      throw std::invalid_argument("--radius has no effect with --patch, which has its own size: leave it out");
     CsvReader reader(
         file_, is_round ? std::vector<std::string>{"force", "moment"} : std::vector<std::string>{"fx", "fy", "moment"},
         is_round ? std::vector<std::string>{"c"} : std::vector<std::string>{});

@@ -68,10 +68,10 @@ std::string_view other_than_text(std::string_view line) {
 /// The end of an error message if what should be one field is several, with another separator, or has a decimal comma.
 std::string_view other_separator(std::string_view field) {
   if (field.find(';') != std::string_view::npos)
-    return "; it is separated by semicolons, expected commas, and points in numbers";
-  if (field.find('\t') != std::string_view::npos) return "; it is separated by tabs, expected commas";
-  if (field.find(' ') != std::string_view::npos) return "; it is separated by spaces, expected commas";
-  if (field.find(',') != std::string_view::npos) return "; it has a decimal comma, expected a point";
+    return "; it is separated by semicolons: use commas, and points in numbers";
+  if (field.find('\t') != std::string_view::npos) return "; it is separated by tabs: use commas";
+  if (field.find(' ') != std::string_view::npos) return "; it is separated by spaces: use commas";
+  if (field.find(',') != std::string_view::npos) return "; it has a decimal comma: use a point";
   return {};
 }
 

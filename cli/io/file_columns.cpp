@@ -120,13 +120,13 @@ double FileColumns::scale(std::string_view quantity) const {
 void FileColumns::warn_idle_units(const std::vector<std::string_view>& used, const std::string& what) const {
   for (const auto& [quantity, scale] : scales) {
     if (messages != nullptr && std::find(used.begin(), used.end(), quantity) == used.end())
-      messages->say("limitcurve: warning: --units " + quantity + ": without effect on " + what);
+      messages->say("limitcurve: warning: --units " + quantity + " has no effect on " + what);
   }
 }
 
 void FileColumns::check_zero() const {
   if (zero && !least_load)
-    throw std::invalid_argument("--zero: needs --least-load, below which the sensor carries nothing");
+    throw std::invalid_argument("--zero needs --least-load, below which the sensor carries nothing");
 }
 
 std::optional<double> FileColumns::unit(std::string_view text) {

@@ -123,11 +123,20 @@ void note_profile_error(const Law& law, Messages& messages) {
                " %, because the pressure is known only at samples");
 }
 
+void check_moment(bool has_radius_law, bool has_mu_r) {
+  if (has_radius_law && has_mu_r)
+    throw std::invalid_argument("give --radius-law or --mu-r, not both: each sets the moment limit");
+  if (!has_radius_law && !has_mu_r)
+    throw std::invalid_argument("the contact needs a size: give --radius-law, such as constant:a=0.006, or --mu-r");
+}
+
 void MomentArgument::check(Law& law, Messages& messages) {
   if (law != nullptr) take_own_radii(radius_law, mu_r.has_value(), law, messages);
-  if (radius_law && mu_r) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
-  if (!radius_law && !mu_r) throw std::invalid_argument("--radius-law is required, or --mu-r in its place");
-  if (gamma && !mu_r) throw std::invalid_argument("--gamma: goes with --mu-r");
+  check_moment(radius_law.has_value(), mu_r.has_value());
+  if (gamma && !mu_r)
+    throw std::invalid_argument(
+        "--gamma needs --mu-r, of which it is the exponent; for a radius that grows use "
+        "--radius-law power:c=0.00207,gamma=0.259");
 }
 
 ContactFriction MomentArgument::with(double mu, const Law& law) const {

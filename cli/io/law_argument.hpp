@@ -56,6 +56,17 @@ void take_own_radii(std::optional<RadiusLawArgument>& radius_law, bool has_mu_r,
 /// Notes the error of the largest moment of a law whose pressure is known only at samples.
 void note_profile_error(const Law& law, Messages& messages);
 
+/// What to say unless just one of --law and --patch is given.
+inline const char* what_contact(bool has_patch) {
+  return has_patch
+             ? "give --law or --patch, not both: each is the contact"
+             : "say which contact: --law, or --patch if it is not round (--curve ellipse or box with --mu-r needs "
+               "neither)";
+}
+
+/// Throws std::invalid_argument unless just one of --radius-law and --mu-r is given.
+void check_moment(bool has_radius_law, bool has_mu_r);
+
 /// The options of a contact's moment: --radius-law, or --mu-r with --gamma in its place.
 struct MomentArgument {
   std::optional<RadiusLawArgument> radius_law;

@@ -67,10 +67,16 @@ bool Results::has(std::string_view option) const {
 
 void Results::warn_idle(std::initializer_list<std::pair<std::string_view, bool>> idle, const std::string& what) const {
   std::string names;
+  bool several = false;
   for (const auto& [option, is_idle] : idle) {
-    if (is_idle && has(option)) names.append(names.empty() ? "" : ", ").append(option);
+    if (!is_idle || !has(option)) continue;
+    several = !names.empty();
+    names.append(several ? ", " : "").append(option);
   }
-  if (!names.empty()) messages->say("limitcurve: warning: " + names + ": without effect on " + what);
+  if (!names.empty()) {
+    messages->say("limitcurve: warning: " + names + (several ? " have" : " has") + " no effect on " + what +
+                  (several ? ": leave them out" : ": leave it out"));
+  }
 }
 
 Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(results) {

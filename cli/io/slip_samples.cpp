@@ -13,7 +13,7 @@ const std::vector<std::string> slip_columns{"load", "force", "moment", "sigma_fo
 /// Of a file whose first columns are those of slips.
 std::vector<fit::Sample> slips(CsvReader& reader) {
   if (reader.has(3) != reader.has(4)) {
-    throw reader.complaint_at(0, "got one of the columns sigma_force and sigma_moment, expected both or none");
+    throw reader.complaint_at(0, "one of the columns sigma_force and sigma_moment is missing: give both, or none");
   }
   std::vector<fit::Sample> samples;
   std::map<double, std::size_t> grips;

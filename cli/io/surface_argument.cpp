@@ -28,7 +28,7 @@ using godobject::BodyParameters;
 std::vector<std::string> size_warning(const std::string& what, double size) {
   constexpr double largest = 5.0;
   if (!(size > largest)) return {};
-  return {"warning: " + what + ": " + format_number(size, 3) + " m across: is it in metres?"};
+  return {"warning: " + what + ": " + format_number(size, 3) + " m across: lengths must be in metres"};
 }
 
 SurfaceArgument read_sphere(std::string_view text) {

@@ -18,15 +18,18 @@ void UnitChecks::note(First& first, const Text& text) {
 void UnitChecks::load(double load) {
   constexpr double most = 1000.0;
   if (load > most && std::isfinite(load))
-    note(loads_, [&] { return "a load of " + format_number(load, 6) + " N: is it in newtons?"; });
+    note(loads_, [&] {
+      return "a load of " + format_number(load, 6) +
+             " N is unusual for a finger; hold, fit and replay convert millinewtons by --units force=mN";
+    });
 }
 
 void UnitChecks::wrench(double force, double moment) {
   constexpr double large = 0.2;  // [N m], and the arm [m]
   if (std::fabs(moment) <= large || !(std::fabs(moment) > large * std::fabs(force))) return;
   note(wrenches_, [&] {
-    return "a moment of " + format_number(moment, 6) + " N m beside a force of " + format_number(force, 6) +
-           " N: are they in N m and N?";
+    return "a moment of " + format_number(moment, 6) + " N m with a force of " + format_number(force, 6) +
+           " N has an arm of more than 0.2 m; hold and fit convert N mm by --units moment=Nmm";
   });
 }
 
@@ -42,14 +45,14 @@ void UnitChecks::twist(double before, double now, double time) {
   if (std::fabs(step - turn) < 1.0 && std::fabs(now) <= turn && std::fabs(before) <= turn) return;
   note(twists_, [&] {
     return "the twist changes by " + format_number(step, 6) + " rad up to time " + format_number(time, 6) +
-           " s: is it in radians?";
+           " s: if it is in degrees, add --units angle=deg";
   });
 }
 
 void UnitChecks::angle(const std::string& what, double angle, std::string_view text) {
   if (std::fabs(angle) <= 2.0 * std::numbers::pi || text.ends_with("deg") || text.ends_with("rad")) return;
-  others_.push_back(what + " = " + format_number(angle) + " rad: is it in radians? " + format_number(angle) +
-                    "deg is in degrees");
+  others_.push_back(what + " = " + format_number(angle) + " rad is more than a turn: if you mean degrees, write " +
+                    format_number(angle) + "deg");
 }
 
 void UnitChecks::radii(const RadiusLaw& law, std::span<const double> loads) {
@@ -68,20 +71,22 @@ void UnitChecks::radii(const RadiusLaw& law, std::span<const double> loads) {
     }
   }
   if (radius > largest_radius) {
-    others_.push_back("the radius law gives a contact radius of " + format_number(radius, 6) + " m at a load of " +
-                      format_number(at_load, 6) + " N: is the law in metres?");
+    others_.push_back("the radius law gives a contact radius of " + format_number(radius, 6) + " m at " +
+                      format_number(at_load, 6) +
+                      " N: its lengths must be in metres, so that 6 mm are constant:a=0.006");
   }
   const auto [first, last] = law.sampled_loads();
   if (least < first || most > last) {
-    others_.push_back("the radius law is extrapolated: its samples have loads from " + format_number(first) + " to " +
-                      format_number(last) + " N, it is used from " + format_number(least) + " to " +
+    others_.push_back("the radius law is extrapolated: it was measured from " + format_number(first) + " to " +
+                      format_number(last) + " N and is used from " + format_number(least) + " to " +
                       format_number(most) + " N");
   }
 }
 
 void UnitChecks::length(const std::string& what, double across) {
   constexpr double longest = 0.5;
-  if (across > longest) others_.push_back(what + ": " + format_number(across, 6) + " m across: is it in metres?");
+  if (across > longest)
+    others_.push_back(what + ": " + format_number(across, 6) + " m across: lengths must be in metres");
 }
 
 std::vector<std::string> UnitChecks::lines() const {
@@ -91,8 +96,8 @@ std::vector<std::string> UnitChecks::lines() const {
     texts.push_back(first->text + (first->count > 1 ? " (the first of " + std::to_string(first->count) + ")" : ""));
   }
   if (2 * swapped_ > loaded_) {
-    texts.push_back("the force exceeds the load in " + std::to_string(swapped_) + " of " + std::to_string(loaded_) +
-                    " rows: are the two swapped?");
+    texts.push_back("the friction force exceeds the load in " + std::to_string(swapped_) + " of " +
+                    std::to_string(loaded_) + " rows: are the two columns swapped?");
   }
   for (std::string& text : texts) text.insert(0, "warning: ");
   return texts;

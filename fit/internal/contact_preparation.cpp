@@ -39,9 +39,11 @@ bool check(std::span<const Sample> samples) {
     largest_moment = std::max(largest_moment, std::fabs(sample.moment));
   }
   if (largest_force == 0.0)
-    throw std::invalid_argument("not identifiable from these samples: mu (every force is 0: no slide at all)");
+    throw std::invalid_argument(
+        "not identifiable from these samples: mu, because every force is 0; add slips that slide");
   if (largest_moment == 0.0)
-    throw std::invalid_argument("not identifiable from these samples: mu_r (every moment is 0: no twist at all)");
+    throw std::invalid_argument(
+        "not identifiable from these samples: mu_r, because every moment is 0; add slips that twist");
   return with_sigma;
 }
 
@@ -57,10 +59,11 @@ void check_signal(std::span<const Sample> samples) {
   const double noise = count + 5.0 * std::sqrt(2.0 * count);
   if (force <= noise)
     throw std::invalid_argument(
-        "not identifiable from these samples: mu (every force is within its noise of 0: no slide at all)");
+        "not identifiable from these samples: mu, because every force is within its noise of 0; add slips that slide");
   if (moment <= noise)
     throw std::invalid_argument(
-        "not identifiable from these samples: mu_r (every moment is within its noise of 0: no twist at all)");
+        "not identifiable from these samples: mu_r, because every moment is within its noise of 0; add slips that "
+        "twist");
 }
 
 /// Starting values for a robust loss, which gross errors in up to about half of the samples do not move: of the

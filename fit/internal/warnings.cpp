@@ -40,8 +40,8 @@ void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& rows, c
   if (rows.empty()) return;
   report.warnings.push_back(
       listed("row", "rows", rows) + " of " + std::to_string(report.residuals) +
-      " (the first is 1): gross outliers; mislabelled, or taken while the finger held?" +
-      (loss.kind == Loss::Kind::squared ? " The squared loss follows them; Cauchy's does not" : ""));
+      " (the first is 1) lie far off the curve. Did the finger slip in these rows? If not, remove them" +
+      (loss.kind == Loss::Kind::squared ? ", or use the loss cauchy, which gives them little weight" : ""));
 }
 
 void warn_of_rows_inside(FitReport& report, std::span<const double> distances) {
@@ -52,7 +52,7 @@ void warn_of_rows_inside(FitReport& report, std::span<const double> distances) {
   if (static_cast<double>(inside) <= many * static_cast<double>(distances.size())) return;
   report.warnings.push_back(
       std::to_string(inside) + " of " + std::to_string(distances.size()) +
-      " rows lie inside the curve by more than half of it: taken while the finger held? Fit slips only");
+      " rows lie inside the curve by more than half of it. Did the finger slip in these rows? If not, remove them");
 }
 
 void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& loss, bool with_sigma) {
@@ -63,8 +63,9 @@ void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& lo
   const bool large = scatter > 1.0 + 3.0 / std::sqrt(count);
   report.scatter_refused = large;
   if (!large && !(scatter < 1.0 - 3.0 / std::sqrt(count))) return;
-  report.warnings.push_back("the scatter is " + format_number(scatter, 3) + " times what the sigmas say: " +
-                            (large ? "outliers, the wrong model, or sigmas that are too small"
+  report.warnings.push_back("the rows scatter " + format_number(scatter, 3) +
+                            " times as much as their sigmas predict: " +
+                            (large ? "there are outliers, the model is wrong, or the sigmas are too small"
                                    : "are they of one reading? The standard errors are as much too large"));
 }
 
@@ -93,8 +94,7 @@ void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, do
   const std::string gain =
       rms < report.rms ? ": rms " + format_number(rms, 3) + " instead of " + format_number(report.rms, 3) : "";
   report.warnings.push_back("gamma = " + format_number(assumed) + " was assumed, but " + format_number(gamma.value, 3) +
-                            " +- " + format_number(gamma.std_error, 3) + " explains the samples better" + gain +
-                            "; fit gamma too");
+                            " +- " + format_number(gamma.std_error, 3) + " fits better" + gain + "; fit gamma as well");
 }
 
 }  // namespace limitcurve::fit::internal

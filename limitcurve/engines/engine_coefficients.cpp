@@ -211,10 +211,10 @@ std::string find_engine(std::string_view name) {
     if (std::find(known.begin(), known.end(), engine) == known.end()) known.push_back(engine);
     known.insert(known.end(), also.begin(), also.end());
   }
-  std::string expected;
-  for (const std::string& one : known) expected += " " + one;
-  throw std::invalid_argument("unknown engine '" + std::string(name) + "', expected one of" + expected +
-                              did_you_mean(name, {known.begin(), known.end()}));
+  std::string engines;
+  for (const std::string& one : known) engines += (engines.empty() ? "" : ", ") + one;
+  throw std::invalid_argument("unknown engine '" + std::string(name) + "'" +
+                              did_you_mean(name, {known.begin(), known.end()}) + " Known are " + engines);
 }
 
 }  // namespace limitcurve::engines

@@ -83,7 +83,8 @@ CoefficientMeaning meaning_of(const std::string& engine, const Facts& row, doubl
     return meaning;
   }
   if (std::isnan(friction))
-    throw std::invalid_argument(meaning.engine + "." + meaning.parameter + ": expected mu, or the friction beside it");
+    throw std::invalid_argument("the radius of " + meaning.engine + "." + meaning.parameter +
+                                " needs mu, or the engine's friction among the numbers");
   meaning.radius = meaning.moment_per_load / friction / moment_ratio;
   constexpr double smallest = 1e-3;
   constexpr double largest = 2e-2;

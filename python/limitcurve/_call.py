@@ -196,7 +196,7 @@ def _in_python(message: str) -> str:
     if message.startswith("note: for "):  # options of the command line
         return message
     name = lambda option: option[1].replace("-", "_")
-    return re.sub(r"(?<![\w-])--(?!help)([a-z][a-z-]*)", name, re.sub(r" \(expected usage: [^()]*\)", "", message))
+    return re.sub(r"(?<![\w-])--(?!help)([a-z][a-z-]*)", name, re.sub(r" \(see 'limitcurve [^()]*\)", "", message))
 
 
 def _stacklevel() -> int:

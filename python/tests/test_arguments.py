@@ -187,9 +187,9 @@ def test_other_columns_are_ignored_and_every_number_broadcasts():
 
 
 def test_units_of_texts_and_traces_are_asked_about_and_of_numbers_not(recwarn):
-    for call, asked in ((lambda: lc.Patch("rectangle:x=20,y=10"), "20 m across: is it in metres"),
+    for call, asked in ((lambda: lc.Patch("rectangle:x=20,y=10"), "20 m across: lengths must be in metres"),
                         (lambda: TABLE.load_to_hold(1, 1e-3, mu=0.6, radius_law="constant:a=5"),
-                         "is the law in metres"), (lambda: lc.SoftFinger(TABLE, radius_law="constant:a=5"),
+                         "must be in metres"), (lambda: lc.SoftFinger(TABLE, radius_law="constant:a=5"),
                                                    "in metres"),
                         (lambda: lc.replay({
                             **trace_of(4), "twist": 30.0 * np.arange(4)
@@ -198,7 +198,7 @@ def test_units_of_texts_and_traces_are_asked_about_and_of_numbers_not(recwarn):
                                            mu=0.6,
                                            mu_r=0.002,
                                            stiffness=1000,
-                                           twist_stiffness=0.036), "in radians")):
+                                           twist_stiffness=0.036), "if it is in degrees")):
         with pytest.warns(UserWarning, match=asked):
             call()
     for number in (1.2, 300, 4000):

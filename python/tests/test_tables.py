@@ -52,14 +52,14 @@ def test_fit_of_a_curve_and_of_data(command_line, data):
 
 def test_what_a_fit_says(data, capfd):
     slips = columns(data / "fit/slips.csv")
-    with pytest.warns(UserWarning, match="gross outliers"):
+    with pytest.warns(UserWarning, match="far off the curve"):
         fitted = lc.fit("ratio", slips)
     covariance = fitted.covariance
     assert list(fitted) == ["parameter", "value", "std_error", "unit", "note"] and fitted.note == fitted["note"][0]
     assert np.allclose(np.sqrt(np.diag(covariance)), fitted["std_error"], rtol=1e-12) and np.allclose(
         covariance, covariance.T, rtol=1e-12)
     assert any(note.startswith("for replay:") for note in fitted.notes)
-    with pytest.warns(UserWarning, match="are the data in metres?") as caught:
+    with pytest.warns(UserWarning, match="are the data in millimetres") as caught:
         lc.fit("ratio", {**slips, "moment": 1000 * slips["moment"]})
     assert caught[0].filename == __file__
     residuals = lc.fit("ellipse", slips, quiet=True, residuals=True)
@@ -133,7 +133,7 @@ def test_errors_have_the_command_line_words_and_the_caller_places():
         lc.fit("law", {"load": [1, 2], "force": [1], "moment": [0, 1]})
     with pytest.raises(ValueError, match="expected columns|columns by name"):
         lc.fit("law", 3)
-    with pytest.raises(ValueError, match="unknown subcommand"):
+    with pytest.raises(ValueError, match="no subcommand"):
         lc.run("nonsense")
 
 

@@ -155,7 +155,7 @@ class Fit(CommandLineTest):
         data = self.file("outliers.csv", "\n".join(lines))
         for model in ("ellipse", "law", "ratio"):
             _, said = self.fitted(model, "--data", data)
-            self.assertIn("warning: rows 5, 18, 31 (lines of the file): gross outliers", said)
+            self.assertIn("warning: rows 5, 18, 31 (lines of the file) lie far off the curve", said)
 
     def test_every_row_notes_the_model_and_what_was_assumed(self):
         data = self.growing("uniform")
@@ -198,7 +198,7 @@ class Fit(CommandLineTest):
             margins = [row["margin"] for row in rows(*typed)]
             self.assertEqual(command, "limitcurve")
             self.assertLess(sum(margins) / len(margins), 0.1, call)
-        self.assertIn("no parameters suggested: the data reject this model; add --fit-gamma\n",
+        self.assertIn("the data reject this model, so no parameters are suggested; try again with --fit-gamma\n",
                       self.fitted("law", "--law", "uniform", "--data", data)[1])
 
     def test_residuals_are_distances_in_standard_deviations(self):

@@ -214,7 +214,7 @@ class Colours(CommandLineTest):
         }, plain)]:
             status, seen, _ = on_terminal("evil", environment=environment)
             self.assertEqual(status, 2)
-            self.assertRegex(seen, rf"\A{re.escape(begin)}unknown subcommand 'evil'[^\n\x1b]+\n\Z")
+            self.assertRegex(seen, rf"\A{re.escape(begin)}no subcommand 'evil'[^\n\x1b]+\n\Z")
         self.assertNotIn("\x1b", run("evil").stderr)
         self.assertNotIn("\x1b", on_terminal(*EVAL)[1])
 
@@ -235,7 +235,7 @@ class Lines(CommandLineTest):
                      ["choose", "--law", "hertz", "--tolerance", "0.01", "--explain"],
                      ["p-curves", "--law", "hertz", "--radius-law", "constant:a=5", "--mu", "1", "--loads", "1"]]:
             loud, quiet = run(*call), run(*call, "--quiet")
-            if "is not in this executable" in loud.stderr:
+            if "has no 'fit'" in loud.stderr:
                 continue
             self.assertNotEqual(loud.stderr, "")
             self.assertEqual((quiet.stdout, quiet.stderr, quiet.returncode), (loud.stdout, "", 0))
@@ -246,7 +246,7 @@ class Meant(CommandLineTest):
         for call in [["wobble"], ["eval", "--law", "x" * 100000, "--c", "1"], ["eval", "--law", "", "--c", "1"],
                      [*EVAL, "--sea", "1"], [*EVAL, "extra"], ["eval", "--law", "hertz:n=1", "--c", "1"],
                      ["validate", "--patch", "disc:a=1"]]:
-            self.assert_fails(2, "expected", *call)
+            self.assert_fails(2, [], *call)
             self.assertNotIn("did you mean", run(*call).stderr, call)
 
 

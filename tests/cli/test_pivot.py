@@ -73,7 +73,7 @@ class Pivot(CommandLineTest):
             self.assertEqual(done.returncode, 0)
             self.assertRegex(
                 done.stderr,
-                r"\Alimitcurve: warning: the grip begins at 0.9 N a finger and does not hold the block: that needs "
+                r"\Alimitcurve: warning: the grip starts at 0.9 N per finger, which does not hold the block; it needs "
                 r"\S+ N\n\Z"
             )
             self.assert_close(float(done.stderr.split()[-2]), needed, 5e-3)  # of three digits

@@ -96,14 +96,14 @@ class Replays(CommandLineTest):
                                        ("0.000001", 0.00014, True), ("0", 0.6, False)]:
             force, told = self.settled(mu_r, "--curve", "ellipse", "--projection", "radial")
             self.assert_close(force, expected, 0.01, mu_r)
-            self.assertEqual(told.count("limitcurve: note: --projection radial: k_r/k_l is"), is_far, told)
-            self.assertEqual("hardly any friction force" in told, is_far, told)
-            self.assertEqual("--projection c-curve: k_r/k_l is" in self.settled(mu_r, "--projection", "c-curve")[1],
+            self.assertEqual(told.count("limitcurve: note: with --projection radial a finger"), is_far, told)
+            self.assertEqual("almost no friction force" in told, is_far, told)
+            self.assertEqual("with --projection c-curve a finger" in self.settled(mu_r, "--projection", "c-curve")[1],
                              is_far, mu_r)
             self.assertEqual(self.settled(mu_r)[1], "")
         self.assert_close(self.settled("0.0001", "--curve", "ellipse")[0], 0.5997, 1e-4)
         # A contact too large for its twist stiffness: the moment is what is lost.
-        self.assertIn("hardly any friction moment",
+        self.assertIn("almost no friction moment",
                       self.settled("0.02", "--projection", "radial", "--curve", "table")[1])
 
     def test_the_note_is_about_the_largest_load(self):
@@ -115,11 +115,11 @@ class Replays(CommandLineTest):
         for share, notes in [(1, 0), (9.9, 0), (10.1, 1), (1 / 10.1, 1)]:
             stiffness = share * 1000 * (M0 * 0.005 * 2 ** (1 / 3)) ** 2
             done = run("replay", "--trace", path, *common, *radial, "--twist-stiffness", stiffness)
-            self.assertEqual(done.stderr.count("times (mu_r/mu_l)^2 at 2 N"), notes, done.stderr)
+            self.assertEqual(done.stderr.count("times (mu_r/mu_l)^2 (at 2 N,"), notes, done.stderr)
         # choose knows both loads.
         chosen = run("choose", *common, *grows, "--loads", "0.02,2", "--tolerance", "0.1", "--scene",
                      "--twist-stiffness", 1000 * (M0 * 0.005 * 2 ** (1 / 3)) ** 2)
-        self.assertIn("note: the rows of the radial projection: k_r/k_l is", chosen.stderr)
+        self.assertIn("note: with the radial projection a finger", chosen.stderr)
         self.assertIn("at 0.02 N", chosen.stderr)
 
     def test_each_reason_of_invalid_rows_is_named_once(self):
@@ -127,11 +127,12 @@ class Replays(CommandLineTest):
             "0.001,0,0,-0.001,0\n0.002,0,0,-0.001,0\n0.006,2e6,0,-0.001,0\n"
         done = run("replay", "--trace", self.file("trace.csv", bad), *FINGER)
         self.assertEqual(done.stderr.splitlines(), [
-            "limitcurve: note: 1 sample invalid, from time 0.006 s on: a coordinate, the depth or the twist is beyond "
-            "1e6",
-            "limitcurve: note: 1 sample invalid, from time 0.001 s on: the time goes back or is not finite, after "
+            "limitcurve: note: 1 sample is invalid, the first at 0.006 s: a coordinate, the depth or the twist is "
+            "beyond 1e6",
+            "limitcurve: note: 1 sample is invalid, the first at 0.001 s: the time goes back or is not finite, after "
             "0.005 s",
-            "limitcurve: note: 2 samples invalid, from time 0.004 s on: the finger moved faster than the maximum speed"
+            "limitcurve: note: 2 samples are invalid, the first at 0.004 s: the finger moved faster than the maximum "
+            "speed"
         ])
         self.assertEqual(run("replay", "--quiet", "--trace", self.directory / "trace.csv", *FINGER).stderr, "")
 

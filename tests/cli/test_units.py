@@ -34,7 +34,7 @@ class Units(CommandLineTest):
         for command in commands:
             for patch, across in (("rectangle:x=20,y=10", 20), ("rectangle:x=0.02,y=0.01", 0)):
                 self.assertEqual(
-                    [f"patch '{patch}': {across} m across: is it in metres?"] if across else [],
+                    [f"patch '{patch}': {across} m across: lengths must be in metres"] if across else [],
                     [line for line in self.asked(*command, "--patch", patch) if "metres" in line and "across" in line])
         corners = "0,0,1\n{0},0,1\n{0},{1},1\n".format
         for kind, head, more in (("points", "x,y,load\n", ""), ("polygon", "x,y,n\n", ""), ("image", "", ",pixel=")):
@@ -58,9 +58,9 @@ class Units(CommandLineTest):
             ("wraps", [(0.1 * i, 0, 0, -0.001, math.remainder(0.5 * i, 2 * math.pi)) for i in range(20)]),
             ("deep", [(0, 0, 0, -2, 0)])))
         for command, *questions in (
-            (f"{hold} --force 1 --moment 2", "a load of ", "a moment of 2 N m beside a force of 1 N"),
+            (f"{hold} --force 1 --moment 2", "a load of ", "a moment of 2 N m with a force of 1 N"),
             (f"{hold} --force 1 --moment 0.002",), (f"{hold} --force 0.5 --moment 0.15",),
-            (f"{hold} --data {loads}", "the force exceeds the load in 2 of 3 rows"),
+            (f"{hold} --data {loads}", "the friction force exceeds the load in 2 of 3 rows"),
             (f"{hold} --data {load}", "a load of 5000 N"), (f"{pad} --force 0,-1 --moment -2", "a moment of -2"),
             (f"{pad} --force 0,-1000 --moment 0", "a load of "), ("p-curves $LAW --loads 1,1500", "a load of 1500 N"),
             ("c-curves $LAW --loads 1500 --cors 0", "a load of 1500 N"),
@@ -68,11 +68,11 @@ class Units(CommandLineTest):
             ("eval --law hertz --c 1 --load 2000", "a load of"),
             ("choose --law hertz --tolerance 0.5 --scene --loads 500,2000", "a load of"),
             (f"pivot --case exact --duration 0.01 --grip {grip}", "a load of 2000 N"),
-            (f"{coupled} target=30", "target = 30 rad: is it in radians? 30deg"), (f"{coupled} target=30deg",),
+            (f"{coupled} target=30", "target = 30 rad is more than a turn"), (f"{coupled} target=30deg",),
             (f"{coupled} target=400deg",), (f"{replay} {turned}", "the twist changes by 30 rad up to time 0.1 s"),
             (f"{replay} {wraps}",), (f"{replay} {deep}", "a load of 2000 N"),
-            (f"{replay} {wraps} --surface sphere:radius=25", "50 m across: is it in metres?", "a load of 24999 N"),
-            (f"fit ratio --quiet --data {slips}",), (f"fit ratio --data {slips}", "the force exceeds the load in ")):
+            (f"{replay} {wraps} --surface sphere:radius=25", "50 m across: lengths must be", "a load of 24999 N"),
+            (f"fit ratio --quiet --data {slips}",), (f"fit ratio --data {slips}", "force exceeds the load in ")):
             words = [one for word in command.split() for one in {"$LAW": LAW, "$FINGER": FINGER}.get(word, [word])]
             said = [
                 line for line in self.asked(*words)
@@ -86,7 +86,7 @@ class Units(CommandLineTest):
         samples, moments = (f"{kind}s:{self.file(kind + '.csv', text)}"
                             for kind, text in (("sample", "load,radius\n1,0.004\n2,0.005\n4,0.006\n"),
                                                ("moment", "load,moment\n1,0.001\n2,0.002\n4,0.004\n")))
-        beyond, metres = "extrapolated: its samples have loads from 1 to 4 N", "in metres?"
+        beyond, metres = "extrapolated: it was measured from 1 to 4 N", "must be in metres"
         for law, loads, told in (("constant:a=5", "1,2", metres), ("constant:a=0.1", "1,2", ""),
                                  ("hertz:R=8000,E=0.2", "1,2", metres), (samples, "1.5,3", ""),
                                  (samples, "1.5,4.5", beyond), (moments, "0.5,3", beyond)):
@@ -106,7 +106,7 @@ class Units(CommandLineTest):
                             for f, m in [(0, 0.589), (1, 0), (0.86, 0.234)])
             for model, text in (("load", "load,radius\n" + radii), ("ratio", "load,force,moment\n" + slips)):
                 done = run("fit", model, "--data", self.file("measured.csv", text))
-                self.assertEqual(done.stderr.count(metres), scale == 1, model)
+                self.assertEqual(done.stderr.count("are the data in millimetres"), scale == 1, model)
 
     def test_units_never_touch_strings_and_are_refused_by_name(self):
         self.assert_close(

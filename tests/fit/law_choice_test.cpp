@@ -117,7 +117,7 @@ TEST(LawChoice, OneInTenGrossErrorsIsAlwaysWarnedOf) {
       if (seed % 2 == 0) set.samples[i].moment *= factor;
     }
     const ContactFit best = select_law(set.samples).candidates.front();
-    EXPECT_TRUE(warns(best.report, "gross outliers")) << "seed " << seed;
+    EXPECT_TRUE(warns(best.report, "far off the curve")) << "seed " << seed;
     for (const std::size_t row : best.outliers) EXPECT_EQ(row % 10, first) << "seed " << seed;
   }
 }

@@ -175,7 +175,7 @@ TEST(LoadFit, WarnsOfGrossOutliersByRowAndOfAGrowthThatWasAssumed) {
       EXPECT_TRUE(said(fit_load(samples, LoadModel::linear).report, "gamma = 0 was assumed")) << seed;
       samples.samples[11].value *= seed % 2 == 0 ? 3.0 : 0.4;
       for (const Loss& loss : {Loss::squared(), Loss::huber(), Loss::cauchy()}) {
-        EXPECT_TRUE(said(fit_load(samples, LoadModel::power, loss).report, "gross outliers")) << seed;
+        EXPECT_TRUE(said(fit_load(samples, LoadModel::power, loss).report, "far off the curve")) << seed;
       }
     }
   }
@@ -191,9 +191,9 @@ TEST(LoadFit, SaysWhatSigmasAndTheRangeOfGammaContradict) {
     return false;
   };
   LoadSamples samples = make(LoadSamples::Quantity::radius, 2e-3, 0.3, 0.01, true, 20, random);
-  EXPECT_FALSE(warned(samples, "times what the sigmas say"));
+  EXPECT_FALSE(warned(samples, "times as much as their sigmas predict"));
   for (LoadSamples::Row& sample : samples.samples) sample.sigma *= 0.1;
-  EXPECT_TRUE(warned(samples, "times what the sigmas say"));
+  EXPECT_TRUE(warned(samples, "times as much as their sigmas predict"));
   EXPECT_FALSE(warned(samples, "end of its range"));
   EXPECT_TRUE(warned(make(LoadSamples::Quantity::radius, 2e-3, 1.8, 0.01, true, 20, random),
                      "gamma is at the end of its range, 1.5"));

@@ -183,7 +183,7 @@ TEST(LoadCurves, RefuseBadInput) {
   }
   expect_mention(complaint([&] { load_to_hold(curve, {.mu = mu, .radius_law = radius_law, .mu_r = 0.1}, 1.0, 0.0); }),
                  "both");
-  expect_mention(complaint([&] { load_to_hold(curve, {.mu = mu}, 1.0, 0.0); }), "none of radius_law and mu_r");
+  expect_mention(complaint([&] { load_to_hold(curve, {.mu = mu}, 1.0, 0.0); }), "give radius_law or mu_r");
   expect_mention(complaint([&] { load_to_hold(curve, {.mu = 0.0, .mu_r = 0.1}, 1.0, 0.0); }), "0 where mu is 0");
   expect_mention(complaint([&] { load_point(curve, {mu, radius_law}, 1.0, -1.0); }), "cor = -1 m");
   // Each finite, their product not: a pure twist's force would be 0·∞.
