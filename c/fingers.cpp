@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <type_traits>
 
@@ -211,10 +211,37 @@ void limitcurve_finger_free(limitcurve_finger* finger) {
   free_handle(finger);
 }
 
+namespace {
+
+/// The caller's contacts as ours, without a copy of all: Clang 14 cannot compile std::views::transform.
+struct Wall {
+  using value_type = Contact;
+  using difference_type = std::ptrdiff_t;
+
+  const limitcurve_contact* given = nullptr;
+
+  Contact operator*() const noexcept { return contact_of(*given); }
+  Wall& operator++() noexcept {
+    ++given;
+    return *this;
+  }
+  Wall operator++(int) noexcept { return {given++}; }
+  bool operator==(const Wall&) const = default;
+};
+
+struct Walls {
+  Wall first;
+  Wall last;
+
+  [[nodiscard]] Wall begin() const noexcept { return first; }
+  [[nodiscard]] Wall end() const noexcept { return last; }
+};
+
+}  // namespace
+
 limitcurve_status limitcurve_join(const limitcurve_contact* contacts, size_t count, limitcurve_contact* joined) {
   if (is_missing("contacts", contacts) || is_missing("joined", joined)) return LIMITCURVE_INVALID;
-  const auto walls = std::span(contacts, count) |
-                     std::views::transform([](const limitcurve_contact& given) { return contact_of(given); });
+  const Walls walls{{contacts}, {contacts + count}};
   *joined = contact_of(join(walls), count > 0 ? contacts->twist : 0.0);
   return LIMITCURVE_OK;
 }

@@ -79,7 +79,7 @@ void Results::warn_idle(std::initializer_list<std::pair<std::string_view, bool>>
   }
 }
 
-Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(results) {
+Rows::Rows(const Results& results, const std::vector<std::string>& columns) : results_(results) {
   if (results_.columns != nullptr) {
     results_.columns->clear();
     for (const std::string& name : columns) results_.columns->push_back({name});

@@ -55,10 +55,10 @@ struct Results {
 /// something. A long text of several words is printed once, below the rows; its cells have a number in brackets.
 class Rows {
  public:
-  Rows(Results results, std::initializer_list<std::string_view> columns)
+  Rows(const Results& results, std::initializer_list<std::string_view> columns)
       : Rows(results, std::vector<std::string>(columns.begin(), columns.end())) {}
   /// For columns known only at run time.
-  Rows(Results results, const std::vector<std::string>& columns);
+  Rows(const Results& results, const std::vector<std::string>& columns);
 
   /// One row; as many cells as columns, numbers or texts.
   template <class... Cells>
@@ -106,7 +106,7 @@ class Rows {
   void literal(std::string_view text, bool is_number = false);
   void write_table();
 
-  Results results_;
+  const Results& results_;
   std::vector<std::string> columns_;
   std::vector<TableCell> cells_;  ///< of a table: of the rows that are not written yet
   std::vector<std::string> remarks_;
