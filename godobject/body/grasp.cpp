@@ -135,6 +135,7 @@ void Grasp::carry(BodyState state, std::span<const DevicePose> devices, double t
 void Grasp::place(BodyState state, std::span<const DevicePose> devices) noexcept {
   if (!make_plausible(state)) return mark_invalid(Fault::body, 0.0);
   state_ = state;
+  slope_time_step_ = 0.0;
   for (SoftFinger& finger : fingers_) finger.state_.faults = {};
   const double dissipated = dissipated_;
   commit(devices, 0.0, false);
@@ -162,6 +163,7 @@ void Grasp::reset() noexcept {
   dissipated_ = 0.0;
   unsolved_ = 0;
   divided_ = 0;
+  slope_time_step_ = 0.0;
 }
 
 void Grasp::remember(std::span<const DevicePose> devices) noexcept {
@@ -262,16 +264,27 @@ Grasp::Attempt Grasp::attempt(const Vector6& velocities, std::span<const DeviceP
           speed(state_.velocity, state_.angular_velocity) + load.size * time_step / parameters_.mass};
 }
 
-/// Newton's method with a Jacobian by differences. A step that does not reduce the residual is halved: the load has
+/// Newton's method with a Jacobian by differences, which costs six attempts, and so serves, in later steps too, as long
+/// as each step by it reduces the residual tenfold. A step that does not reduce the residual is halved: the load has
 /// kinks where a finger slips or touches. At a kink the differences of one side may not lead down: then those of the
 /// other are tried.
 Grasp::Attempt Grasp::improve(Attempt now, std::span<const DevicePose> devices, double time_step,
-                              const Load& external) const noexcept {
+                              const Load& external) noexcept {
   const auto at = [&](const Vector6& velocities) { return attempt(velocities, devices, time_step, external); };
   // Large compared with the rounding of positions, small compared with the deflection of the springs.
   double change = 1e-9 / time_step;
   bool turned_back = false;
   for (int i = 0; i < iteration_limit && now.size > 1e-15 * now.unit; ++i) {
+    if (slope_time_step_ == time_step) {
+      const Attempt next = at(now.velocities - inverse_slope_ * now.error);
+      const bool is_solved = now.size <= solved_fraction * now.unit;
+      if (next.size < (is_solved ? 1.0 : 0.1) * now.size) {
+        now = next;
+        turned_back = false;
+        continue;
+      }
+      if (is_solved) break;
+    }
     Matrix6 jacobian = Matrix6::Identity();
     for (int column = 0; column < 6; ++column) {
       if (!parameters_.free[static_cast<std::size_t>(column)]) continue;
@@ -280,8 +293,10 @@ Grasp::Attempt Grasp::improve(Attempt now, std::span<const DevicePose> devices, 
       beside[column] += by;
       jacobian.col(column) = (at(beside).error - now.error) / by;
     }
-    const Vector6 step = Eigen::PartialPivLU<Matrix6>(jacobian).solve(now.error);
-    if (!step.allFinite()) break;
+    inverse_slope_ = Eigen::PartialPivLU<Matrix6>(jacobian).inverse();
+    const Vector6 step = inverse_slope_ * now.error;
+    slope_time_step_ = step.allFinite() ? time_step : 0.0;
+    if (slope_time_step_ == 0.0) break;
     double fraction = 1.0;
     Attempt next = at(now.velocities - step);
     // What a whole step does not reduce there is rounding, of which stiff dampers have much.
@@ -306,7 +321,7 @@ Grasp::Attempt Grasp::improve(Attempt now, std::span<const DevicePose> devices, 
 /// The velocities of an implicit Euler step, from a start or from rest, whichever has the smaller residual; if that
 /// does not converge, from the other.
 Grasp::Attempt Grasp::search(std::span<const DevicePose> devices, double time_step, const Load& external,
-                             const Vector6& start, bool& solved) const noexcept {
+                             const Vector6& start, bool& solved) noexcept {
   Vector6 still = start;
   for (int i = 0; i < 6; ++i) {
     if (parameters_.free[static_cast<std::size_t>(i)]) still[i] = 0.0;

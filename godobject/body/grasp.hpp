@@ -127,11 +127,11 @@ class Grasp {
   [[nodiscard]] Attempt solve(std::span<const DevicePose> devices, double time_step, const Load& external,
                               bool& solved) noexcept;
   [[nodiscard]] Attempt search(std::span<const DevicePose> devices, double time_step, const Load& external,
-                               const Vector6& start, bool& solved) const noexcept;
+                               const Vector6& start, bool& solved) noexcept;
   [[nodiscard]] bool begin_slips(const Attempt& at, std::span<const DevicePose> devices, double time_step) noexcept;
   [[nodiscard]] BodyState end_of(const Attempt& attempt, double time_step) const noexcept;
   [[nodiscard]] Attempt improve(Attempt now, std::span<const DevicePose> devices, double time_step,
-                                const Load& external) const noexcept;
+                                const Load& external) noexcept;
 
   BodyParameters parameters_;
   BodyState state_;
@@ -145,6 +145,8 @@ class Grasp {
   double dissipated_ = 0.0;
   std::size_t unsolved_ = 0;
   std::size_t divided_ = 0;
+  Eigen::Matrix<double, 6, 6, Eigen::DontAlign> inverse_slope_;  // of the residual by the velocities
+  double slope_time_step_ = 0.0;                                 // of inverse_slope_ [s]; 0 if there is none
 };
 
 }  // namespace limitcurve::godobject
