@@ -43,10 +43,10 @@ class Contacts {
     const nb::gil_scoped_release release;
     const std::lock_guard lock(mutex_);
     BasicContactBatch<Real> contacts = arrays_.batch();
-    contacts.x = at_x.all;
-    contacts.y = at_y.all;
-    contacts.twist = angles.all;
-    contacts.depth = depths.all;
+    contacts.x = all_of(at_x, arrays_.x());
+    contacts.y = all_of(at_y, arrays_.y());
+    contacts.twist = all_of(angles, arrays_.twist());
+    contacts.depth = all_of(depths, arrays_.depth());
     batch_.step(contacts);
   }
 
@@ -86,23 +86,25 @@ class Contacts {
     for (const auto array : {all.state, all.force_slides, all.moment_slides}) work(array);
   }
 
-  /// One number for each contact, and what keeps them: the caller's array, or copies of his single number.
+  /// The caller's array of numbers, one for each contact, or his single number for all of them.
   struct Input {
-    std::span<const Real> all;
+    std::span<const Real> numbers;
     nb::object array;
-    std::vector<Real> copies;
+    Real single = 0;
   };
+  /// One number for each contact: a single one fills the batch's own array.
+  static std::span<const Real> all_of(const Input& input, std::span<Real> own) {
+    if (input.array.is_valid()) return input.numbers;
+    std::ranges::fill(own, input.single);
+    return own;
+  }
   [[nodiscard]] Input input(nb::handle values, const char* name) {
     const std::size_t count = arrays_.size();
     std::optional<double> single = plain_number(values);
     Numbers<Real> numbers{};
     if (!single) numbers = numbers_of<Real>(values, name);
     if (!single && numbers.dimensions == 0) single = numbers.data[0];
-    if (single) {
-      Input result{{}, {}, std::vector<Real>(count, static_cast<Real>(*single))};
-      result.all = result.copies;
-      return result;
-    }
+    if (single) return {{}, {}, static_cast<Real>(*single)};
     if (numbers.dimensions != 1 || numbers.size != count) {
       throw std::invalid_argument(std::string(name) + ": got the shape " + text_of(numbers.array.attr("shape")) +
                                   ", expected (" + std::to_string(count) + ",)");
@@ -112,7 +114,7 @@ class Contacts {
     const std::less<> before;
     if (count > 0 && !before(numbers.data, own.x.data()) && before(numbers.data, own.moment.data() + count))
       numbers = numbers_of<Real>(numbers.array.attr("copy")(), name);
-    return {{numbers.data, count}, std::move(numbers.array), {}};
+    return {{numbers.data, count}, std::move(numbers.array)};
   }
 
   BasicBatch<Real> batch_;
