@@ -19,6 +19,7 @@ namespace {
 struct Row {
   double log_load;  // ln(P/P₀), P₀ the geometric mean
   double value;
+  double log_value;
   double sigma;  // 0: not known
 };
 
@@ -39,7 +40,7 @@ class LoadResiduals final : public internal::ResidualModel {
       residual = (model - row.value) / row.sigma;
       rate = model / row.sigma;
     } else {
-      residual = (log_model - std::log(row.value)) * rate;
+      residual = (log_model - row.log_value) * rate;
     }
     if (gradient != nullptr) {
       gradient[0] = rate;
@@ -77,7 +78,7 @@ struct Preparation {
 std::vector<internal::Parameter> free_parameters(const Preparation& data, LoadModel model) {
   std::vector<double> logs;
   const double gamma = model == LoadModel::power ? 0.25 : fixed_gamma(model);
-  for (const Row& row : data.rows) logs.push_back(std::log(row.value) - (gamma + data.offset) * row.log_load);
+  for (const Row& row : data.rows) logs.push_back(row.log_value - (gamma + data.offset) * row.log_load);
   const double start = median_of(logs);
   std::vector<internal::Parameter> parameters{{data.offset > 0.0 ? "mu_r" : "c", start, start - 20.0, start + 20.0}};
   if (model == LoadModel::power) parameters.push_back({"gamma", gamma, -0.5, 1.5});
@@ -106,7 +107,7 @@ Preparation prepare(const LoadSamples& samples, const Loss& loss) {
             "> 0 and finite");
     require(data.with_sigma ? sample.sigma > 0.0 && std::isfinite(sample.sigma) : sample.sigma == 0.0, "sigma",
             sample.sigma, data.with_sigma ? "> 0 and finite in every sample" : "0 in every sample, as in the first");
-    data.rows.push_back({std::log(sample.load), sample.value, sample.sigma});
+    data.rows.push_back({std::log(sample.load), sample.value, std::log(sample.value), sample.sigma});
     data.log_reference += std::log(sample.load) / static_cast<double>(samples.samples.size());
   }
   for (Row& row : data.rows) row.log_load -= data.log_reference;
