@@ -120,6 +120,7 @@ int main(int argc, char** argv) {
     }
   }
   register_steps();
+  register_patches();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

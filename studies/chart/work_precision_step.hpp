@@ -7,4 +7,8 @@ namespace limitcurve::bench {
 /// their cost grows from 10³ to 10⁷. The error is that of the steady wrench under a constant twist, against eq. (17).
 void register_steps();
 
+/// Contacts that are not round: exact sums, tables of the patch and its ellipsoid. The error of a wrench, and of a
+/// finger's friction in a slow motion, is that against the sums.
+void register_patches();
+
 }  // namespace limitcurve::bench

@@ -299,7 +299,7 @@ def others(files):
                 }
                  for row in measured
                  if row["engine"] in ("mujoco", "bullet", "ode") and row.get("contact", "ball") == "ball"])
-    for name in ("wrench", "step"):
+    for name in ("wrench", "step", "patch"):
         copy(files, f"work_precision_{name}", f"work_precision/{name}.csv")
 
 

@@ -270,6 +270,31 @@ def step_panel(figure, axes, rows):
     axes.legend(loc="lower right", fontsize=7, handlelength=1.2)
 
 
+PATCH_MARKERS = {"sums": "*", "table": "o", "ellipsoid": "s"}
+
+
+def patch_panel(figure, axes, rows, quantity, title):
+    """Contacts that are not round: one colour a patch."""
+    axes.set(title=title, ylim=(3, 2e5), ylabel=f"mean time of a {quantity}  [ns]")
+    error_axis(axes, 10)
+    labels = Labels(figure, axes, 7)
+    for colour, (patch, of_patch) in zip((INK, BLUE, GREEN, PURPLE, VERMILION), rows.groups("patch").items()):
+        for way, marker in PATCH_MARKERS.items():
+            points = [(max(row[f"{quantity}_error"], ROUNDING), row[f"{quantity}_ns"])
+                      for row in of_patch.where(way=way)]
+            axes.plot(*zip(*points), marker=marker, color=colour, linewidth=0.6, markersize=4.5)
+            for point in points:
+                labels.dot(*point, patch if way == "sums" else "", colour)
+    labels.place()
+    stored = rows.where(way="table")
+    tolerances = ", ".join(dict.fromkeys(parameter(row) for row in stored))
+    bytes_ = sorted(stored.column("bytes"))
+    for way, word in (("sums", "sums, their stated error"), ("ellipsoid", "ellipsoid"),
+                      ("table", f"table of {tolerances} ({size(bytes_[0])} to {size(bytes_[-1])})")):
+        axes.plot([], [], PATCH_MARKERS[way], color=FAINT, label=word)
+    axes.legend(loc="lower right", fontsize=7)
+
+
 def work_precision(data):
     """The choices, among all ways to a wrench of a Hertz contact."""
     rows = data["work_precision_wrench"].where(law="hertz")
@@ -312,15 +337,18 @@ def work_precision(data):
 
 
 def all_work_precision(data):
-    """One panel a law, and one for the step."""
+    """One panel a law, one for the step, two for patches."""
     wrench, step = data["work_precision_wrench"], data["work_precision_step"]
     laws = list(wrench.groups("law"))
-    figure, panels = plt.subplots(3, 2, figsize=(10, 14.4))
-    figure.subplots_adjust(left=0.07, right=0.99, top=0.978, bottom=0.12, hspace=0.27, wspace=0.16)
+    figure, panels = plt.subplots(4, 2, figsize=(10, 19.2))
+    figure.subplots_adjust(left=0.07, right=0.99, top=0.983, bottom=0.095, hspace=0.27, wspace=0.16)
     figure.canvas.draw()
     for axes, law in zip(panels.flat, laws):
         law_panel(figure, axes, wrench.where(law=law), law)
     step_panel(figure, panels.flat[5], step)
+    patches = data["work_precision_patch"]
+    patch_panel(figure, panels.flat[6], patches, "wrench", "a wrench of a contact that is not round")
+    patch_panel(figure, panels.flat[7], patches, "step", "a step of a finger on it, which slips: error of friction")
     handles = {}
     for axes in panels.flat[:len(laws)]:
         handles.update({
@@ -342,8 +370,8 @@ def all_work_precision(data):
         "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others "
         "(red).\n"
         "Dashes above dots: one of 64 tables, visited at random. Error against 50-digit values, between them against "
-        "evaluate. "
-        f"Measured on {machine}.",
+        "evaluate.\n"
+        f"Measured on {machine}; contacts that are not round on {patches[0]['machine']}.",
         ha="center",
         fontsize=8.5,
         color=FAINT)
