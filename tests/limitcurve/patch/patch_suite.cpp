@@ -268,22 +268,22 @@ TEST(PatchSymmetry, GaugesAtCornersAndInFacesOfTheLimitSurface) {
     double turn, scale, x, y;
   };
   for (const std::vector<PatchLoad>& shape : shapes) {
-    for (const auto& [turn, scale, dx, dy] :
+    for (const Motion& motion :
          {Motion{0, 1, 0, 0}, {0, 1, 3, -2}, {0.7, 1, 0, 0}, {std::numbers::pi / 4, 1e-3, 0.01, 0}}) {
-      const double c = scale * std::cos(turn);
-      const double s = scale * std::sin(turn);
+      const double c = motion.scale * std::cos(motion.turn);
+      const double s = motion.scale * std::sin(motion.turn);
       std::vector<PatchLoad> loads;
       double total = 0.0;
       for (const auto& [x, y, load] : shape) {
-        loads.insert(loads.begin(), {c * x - s * y + dx, s * x + c * y + dy, load});
+        loads.insert(loads.begin(), {c * x - s * y + motion.x, s * x + c * y + motion.y, load});
         total += load;
       }
       const Patch patch = Patch::points(loads);
       const auto check = [&](const PatchWrench& wrench, double expected, const char* what) {
         const auto [slip, gauge, error] = patch.slip(wrench);
-        EXPECT_NEAR(gauge, expected, 1e-11 * expected) << what << turn << ' ' << shape[0].x << ' ' << shape[0].y;
+        EXPECT_NEAR(gauge, expected, 1e-11 * expected) << what << motion.turn << ' ' << shape[0].x << ' ' << shape[0].y;
         EXPECT_NEAR(load_to_hold(patch, 1.0, {-wrench.fx, -wrench.fy, -wrench.moment}), expected, 1e-11 * expected);
-        EXPECT_LE(error, 1e-8) << what << turn << ' ' << shape[0].x << ' ' << shape[0].y;
+        EXPECT_LE(error, 1e-8) << what << motion.turn << ' ' << shape[0].x << ' ' << shape[0].y;
       };
       for (double angle = 0.0; angle < 3.1; angle += std::numbers::pi / 12.0) {
         const double fx = std::cos(angle);
