@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What each approximation is, beyond being a limit curve (curve_suite.cpp).
-#include "limitcurve/approximations.hpp"
-#include "special_values.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
+#include "tests/limitcurve/shared.hpp"
 
 namespace limitcurve::test {
 
@@ -43,13 +38,13 @@ TEST(Approximations, RefuseBadParameters) {
     EXPECT_THROW(diamond(bad, 1.0), std::invalid_argument) << bad;
     EXPECT_THROW(diamond(1.0, bad), std::invalid_argument) << bad;
   }
-  EXPECT_THROW(Polygon<3>({UnitWrench{1.0, 0.0}, UnitWrench{0.4, 0.4}, UnitWrench{0.0, 1.0}}), std::invalid_argument)
-      << "concave";
-  EXPECT_THROW(Polygon<3>({UnitWrench{1.0, 0.0}, UnitWrench{1.1, 0.4}, UnitWrench{0.0, 1.0}}), std::invalid_argument)
-      << "overhang";
-  EXPECT_THROW(Polygon<2>({UnitWrench{1.0, 0.1}, UnitWrench{0.0, 1.0}}), std::invalid_argument) << "not on the axis";
-  EXPECT_THROW(Polygon<2>({UnitWrench{1.0, 0.0}, UnitWrench{0.1, 1.0}}), std::invalid_argument) << "not on the axis";
-  EXPECT_THROW(Polygon<3>({UnitWrench{1.0, 0.0}, UnitWrench{nan, 0.4}, UnitWrench{0.0, 1.0}}), std::invalid_argument);
+  using Three = std::array<UnitWrench, 3>;
+  for (const auto& [vertices, what] : {std::pair{Three{{{1.0, 0.0}, {0.4, 0.4}, {0.0, 1.0}}}, "concave"},
+                                       {Three{{{1.0, 0.0}, {1.1, 0.4}, {0.0, 1.0}}}, "overhang"},
+                                       {Three{{{1.0, 0.1}, {0.8, 0.8}, {0.0, 1.0}}}, "not on the axis"},
+                                       {Three{{{1.0, 0.0}, {0.8, 0.8}, {0.1, 1.0}}}, "not on the axis"},
+                                       {Three{{{1.0, 0.0}, {nan, 0.4}, {0.0, 1.0}}}, "not a number"}})
+    EXPECT_THROW(Polygon<3>{vertices}, std::invalid_argument) << what;
 }
 
 }  // namespace

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Tables of laws of all kinds, with parameters from their whole range and tolerances that are not powers of ten: none
 // is off by more than it certifies, nor by more than its tolerance.
-#include "limitcurve/laws.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
-#include "limitcurve/table.hpp"
 #if __has_include("limitcurve/measured/samples.hpp")
 #include "limitcurve/measured/samples.hpp"
 #endif
-#include "tests/repetitions.hpp"
+#include "tests/limitcurve/shared.hpp"
 #include "tests/superellipse.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace limitcurve {
 namespace {
@@ -94,9 +80,7 @@ double largest_error(const BasicTable<Real>& table, const Exact& exact, int plac
                             : run == 1 ? SlipTwist{1.0, tiny}
                             : run == 2 ? SlipTwist{1.0 - tiny, 1.0}
                                        : SlipTwist{1.0, 1.0 - tiny};
-    const UnitWrench truth = exact(twist);
-    const UnitWrench read = table.wrench(twist);
-    return Place{std::max(std::fabs(read.force - truth.force), std::fabs(read.moment - truth.moment)), run, decades};
+    return Place{test::apart(table.wrench(twist), exact(twist)), run, decades};
   };
   std::vector<Place> found;
   for (int i = 0; i < places; ++i) {

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tables made of cells that a file may hold: what is whole is taken, what is not is refused by name.
-#include "limitcurve/laws.hpp"
-#include "limitcurve/table.hpp"
-#include "tests/complaint.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
+#include "tests/limitcurve/shared.hpp"
 
 namespace limitcurve {
 namespace {
@@ -32,11 +24,11 @@ TEST_F(DamagedTable, WhatIsWholeIsTaken) {
 }
 
 TEST_F(DamagedTable, IsRefusedForItsFacts) {
-  for (const double error : {-1.0, 1.1e-8, std::nan("")}) {
+  for (const double error : {-1.0, 1.1e-8, test::nan}) {
     facts_.checked_error = error;
     expect_mention(complaint_of(cells_), "checked_error");
   }
-  facts_ = {"uniform", std::nan(""), 1e-8};
+  facts_ = {"uniform", test::nan, 1e-8};
   expect_mention(complaint_of(cells_), "tolerance");
   facts_ = {"uni\nform", 1e-8, 1e-8};
   expect_mention(complaint_of(cells_), "control character");
@@ -69,7 +61,7 @@ TEST_F(DamagedTable, IsRefusedForItsEdges) {
   damaged = cells_;
   std::swap(damaged.inside[1], damaged.inside[2]);
   expect_mention(complaint_of(damaged), "increases");
-  for (const double x : {std::nan(""), 1.0, 2.0, -0.5}) {
+  for (const double x : {test::nan, 1.0, 2.0, -0.5}) {
     damaged = cells_;
     damaged.inside.back().x = x;
     expect_mention(complaint_of(damaged), "expected x in [0, 1)");
@@ -86,7 +78,7 @@ TEST_F(DamagedTable, IsRefusedForEveryCoefficientThatIsWrong) {
   for (std::vector<TableCell> TableCells::*side : {&TableCells::inside, &TableCells::outside}) {
     for (std::size_t i = 0; i < (cells_.*side).size(); ++i) {
       for (std::size_t k = 0; k < 7; ++k) {
-        for (const double factor : {-1.0, 1e300, HUGE_VAL, std::nan(""), 1.001}) {
+        for (const double factor : {-1.0, 1e300, test::inf, test::nan, 1.001}) {
           TableCells damaged = cells_;
           double& c = (damaged.*side)[i].coefficients[k];
           c = c * factor + (factor == 1e300 ? factor : factor == 1.001 ? 1e-3 : 0.0);
@@ -100,11 +92,10 @@ TEST_F(DamagedTable, IsRefusedForEveryCoefficientThatIsWrong) {
 
 TEST_F(DamagedTable, IsRefusedForAMomentThatNoPressureHas) {
   // Scaled so that it is whole otherwise.
-  for (TableCell& cell : cells_.inside) {
-    for (double& c : cell.coefficients) c *= 0x1p200;
-  }
-  for (TableCell& cell : cells_.outside) {
-    for (double& c : cell.coefficients) c *= 0x1p200;
+  for (std::vector<TableCell>* side : {&cells_.inside, &cells_.outside}) {
+    for (TableCell& cell : *side) {
+      for (double& c : cell.coefficients) c *= 0x1p200;
+    }
   }
   expect_mention(complaint_of(cells_), "largest force or moment");
 }

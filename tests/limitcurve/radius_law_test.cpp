@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/contact/radius_law.hpp"
-#include "tests/complaint.hpp"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
+#include "tests/limitcurve/shared.hpp"
 
 namespace limitcurve::test {
 
 namespace {
-
-std::string complaint_about(const std::string& text) {
-  return complaint([&] { RadiusLaw::parse(text); });
-}
 
 /// Johnson, Contact Mechanics, eq. 4.22: a³ = 3PR/(4E*).
 TEST(RadiusLaw, HertzCubes) {
@@ -111,10 +99,9 @@ TEST(RadiusLaw, SaysWhatIsWrong) {
                                     {"power:c=0.002,gamma=-0.1", "gamma = -0.1"},
                                     {"power:c=0,gamma=0.2", "c = 0 m/N^gamma"},
                                     {"power:c=0.002,gamma=0.2 ", "got '0.2 '"}}) {
-    const std::string complaint = complaint_about(text);
-    EXPECT_NE(complaint.find(place), std::string::npos) << text << " -> " << complaint;
-    EXPECT_NE(complaint.find(std::string("radius law '") + text + "'"), std::string::npos)
-        << text << " -> " << complaint;
+    const std::string told = complaint([&, &text = text] { RadiusLaw::parse(text); });
+    expect_mention(told, place);
+    expect_mention(told, std::string("radius law '") + text + "'");
   }
 }
 

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/law.hpp"
-#include "limitcurve/pressure_law.hpp"
-#include "limitcurve/table.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <vector>
+#include "tests/limitcurve/shared.hpp"
 
 /// How far a table is from its curve, and whether its cells join.
 namespace limitcurve::test {
@@ -33,19 +23,14 @@ double worst_error(const BasicTable<Real>& table, const Exact& exact, int count)
   double worst = 0.0;
   for (int i = 0; i < count; ++i) {
     const SlipTwist twist = probe(random, i);
-    const UnitWrench truth = exact(twist);
-    const UnitWrench read = table.wrench(twist);
-    worst = std::max({worst, std::fabs(read.force - truth.force), std::fabs(read.moment - truth.moment)});
+    worst = std::max(worst, apart(table.wrench(twist), exact(twist)));
   }
   return worst;
 }
 
 /// `forces` knows s = c/a only, whose rounding moves the wrench: by less than 2e-16, but by 1e-15 where m₀ ≫ 1.
 inline auto exact_of(const Law& law) {
-  return [law](SlipTwist twist) {
-    const UnitForces<double> forces = law->forces(twist.cor());
-    return UnitWrench{forces.force, forces.moment};
-  };
+  return [law](SlipTwist twist) { return law->forces(twist.cor()); };
 }
 
 /// Neighbouring cells have the same D and D′ where they meet, and D″ ≥ 0 everywhere: as TableView reads them.

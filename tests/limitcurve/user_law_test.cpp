@@ -1,24 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Laws of a user's own: what they need, and what becomes of one that does not keep its promises.
-#include "limitcurve/accuracy.hpp"
-#include "limitcurve/exact_curve.hpp"
-#include "limitcurve/laws.hpp"
-#include "limitcurve/table.hpp"
-#include "special_values.hpp"
 #include "tests/function_law.hpp"
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "tests/limitcurve/shared.hpp"
 
 namespace limitcurve::test::own_law_test {
 namespace {
@@ -69,8 +52,9 @@ void expect_honest(const Law& law, const Discs& truth) {
   for (const double s : cors) {
     const UnitWrench exact = truth.wrench(s);
     const WrenchEstimate found = law->evaluate(s);
-    EXPECT_LE(std::fabs(found.wrench.force - exact.force), found.error.force + 1e-15 * exact.force) << s;
-    EXPECT_LE(std::fabs(found.wrench.moment - exact.moment), found.error.moment + 1e-15 * exact.moment) << s;
+    EXPECT_TRUE(are_near(found.wrench, exact,
+                         {found.error.force + 1e-15 * exact.force, found.error.moment + 1e-15 * exact.moment}))
+        << s;
     EXPECT_TRUE(found.wrench.force <= 1.0 && found.wrench.moment <= 1.0) << s;
     const UnitForces<double> quick = law->forces(s);
     EXPECT_FALSE(std::isnan(quick.force + quick.moment)) << s;
@@ -82,13 +66,11 @@ void expect_honest_table(const Law& law, const Discs& truth, double tolerance) {
   try {
     const Table table = Table::build(law, tolerance);
     for (double s = 1e-3; s < 1e3; s *= 1.02) {
-      const UnitWrench exact = truth.wrench(s);
-      const UnitWrench found = table.wrench(SlipTwist::about_cor(s));
-      const double off = std::max(std::fabs(found.force - exact.force), std::fabs(found.moment - exact.moment));
-      ASSERT_LE(off, table.checked_error()) << law->name() << ' ' << s;
+      ASSERT_LE(apart(table.wrench(SlipTwist::about_cor(s)), truth.wrench(s)), table.checked_error())
+          << law->name() << ' ' << s;
     }
   } catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find(law->name()), std::string::npos) << error.what();
+    expect_mention(error.what(), law->name());
   }
 }
 
@@ -188,8 +170,8 @@ TEST(OwnLaw, ThatComputesItsRimFromTheRadiusSaysWhatItLost) {
       const WrenchEstimate found = law->evaluate(s);
       // By how much the softened pressure is another one: less than √soft. The reference is rounded to double.
       const double meant = std::sqrt(static_cast<double>(soft)) + std::numeric_limits<double>::epsilon() / 2;
-      EXPECT_NEAR(found.wrench.force, punch.wrench(s).force, found.error.force + meant) << s;
-      EXPECT_NEAR(found.wrench.moment, punch.wrench(s).moment, found.error.moment + meant) << s;
+      EXPECT_TRUE(are_near(found.wrench, punch.wrench(s), {found.error.force + meant, found.error.moment + meant}))
+          << s;
     }
   }
 }

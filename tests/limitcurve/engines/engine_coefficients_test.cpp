@@ -2,26 +2,17 @@
 #include "limitcurve/engines/engine_coefficients.hpp"
 
 #include "limitcurve/engines/engine_facts.hpp"
-#include "limitcurve/laws.hpp"
 #include "limitcurve/patch/patch.hpp"
+#include "tests/limitcurve/shared.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <set>
 #include <sstream>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace limitcurve::engines {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using test::expect_mention;
+using test::nan;
 const RadiusLaw silicone = RadiusLaw::power(2.07e-3, 0.259);
 
 double coefficient(const EngineContact& contact, const std::string& parameter) {
@@ -126,7 +117,7 @@ TEST(EngineCoefficients, AreReadByShortNamesAndOtherNamesOfEngines) {
   const CoefficientMeaning maniskill = read_one("maniskill", "min_patch_radius", 0.1, 2.0, uniform());
   EXPECT_NEAR(maniskill.moment_per_load, 0.2, 1e-15);
   EXPECT_NEAR(maniskill.radius, 0.15, 1e-15);
-  EXPECT_NE(maniskill.note.find("no fingertip"), std::string::npos);
+  expect_mention(maniskill.note, "no fingertip");
   // An area: 37 times less than the contact of this radius bears.
   EXPECT_NEAR(read_one("dexnet", "finger_radius", 0.005, 0.5, hertz()).moment_per_load, 0.5 * std::acos(-1.0) * 25e-6,
               1e-19);
@@ -230,7 +221,7 @@ TEST(EngineCoefficients, NumbersOfOneEngineBelongTogether) {
     const CoefficientMeaning meaning = read_coefficients(one.numbers, 0.5, uniform()).back();
     EXPECT_NEAR(meaning.moment_per_load, one.moment, 1e-15 * one.moment) << meaning.parameter << " " << meaning.note;
     EXPECT_NEAR(meaning.radius, one.radius, 1e-15 * one.radius) << meaning.parameter << " " << meaning.note;
-    EXPECT_NE(meaning.note.find(one.note), std::string::npos) << meaning.note;
+    expect_mention(meaning.note, one.note);
     EXPECT_EQ(meaning.note.find("fingertip") != std::string::npos, one.radius > 0.02) << meaning.note;
   }
 }
@@ -329,7 +320,7 @@ TEST(EngineCoefficients, ErrorsDoNotDependOnTheUnitOfLength) {
 
 TEST(EngineCoefficients, RefuseBadInput) {
   EXPECT_THROW(translate(hertz(), silicone, -1.0, 3.0), std::invalid_argument);
-  EXPECT_THROW(translate(hertz(), silicone, std::numeric_limits<double>::quiet_NaN(), 3.0), std::invalid_argument);
+  EXPECT_THROW(translate(hertz(), silicone, nan, 3.0), std::invalid_argument);
   EXPECT_THROW(translate(hertz(), silicone, 0.8, 0.0), std::invalid_argument);
   EXPECT_THROW(translate(hertz(), silicone, 0.8, 3.0, {4.0, 2.0}), std::invalid_argument);
   EXPECT_THROW(translate(hertz(), silicone, 0.8, 3.0, {0.0, 2.0}), std::invalid_argument);

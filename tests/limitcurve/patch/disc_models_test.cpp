@@ -1,20 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/patch/disc_models.hpp"
-#include "limitcurve/approximations.hpp"
-#include "limitcurve/exact_curve.hpp"
-#include "limitcurve/laws.hpp"
 #include "patch_cases.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <random>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace limitcurve::test {
 namespace {

@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/patch/half_spaces.hpp"
 
-#include "limitcurve/laws.hpp"
 #include "patch_cases.hpp"
-#include "tests/complaint.hpp"
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace limitcurve::test {
 namespace {
@@ -38,6 +26,14 @@ double times(const HalfSpace& row, const PatchWrench& wrench) {
   return row.fx * wrench.fx + row.fy * wrench.fy + row.moment * wrench.moment;
 }
 
+/// In a random direction, by the patch's own proportions.
+PatchWrench random_wrench(const Patch& patch, std::mt19937_64& bits) {
+  std::normal_distribution<double> normal;
+  PatchWrench wrench{normal(bits), normal(bits), normal(bits) * patch.moment_ratio()};
+  wrench.moment += patch.centre().x * wrench.fy - patch.centre().y * wrench.fx;
+  return wrench;
+}
+
 double largest(const HalfSpaces& half_spaces, const PatchWrench& wrench) {
   double most = 0.0;
   for (const HalfSpace& row : half_spaces.rows) most = std::max(most, times(row, wrench));
@@ -50,12 +46,9 @@ TEST(HalfSpaces, NoWrenchInsideSlips) {
   for (const HalfSpaceCase& one : half_space_cases()) {
     const HalfSpaces inside = half_spaces(one.patch, 32);
     std::mt19937_64 bits(3);
-    std::normal_distribution<double> normal;
-    const PatchPoint centre = one.patch.centre();
     double slips = 0.0;
     for (int i = 0; i < wrenches; ++i) {
-      PatchWrench w{normal(bits), normal(bits), normal(bits) * one.patch.moment_ratio()};
-      w.moment += centre.x * w.fy - centre.y * w.fx;
+      PatchWrench w = random_wrench(one.patch, bits);
       const double size = largest(inside, w) / (i % 2 == 0 ? 1.0 : std::generate_canonical<double, 53>(bits));
       w = {w.fx / size, w.fy / size, w.moment / size};
       slips = std::max(slips, load_to_hold(one.patch, 1.0, w));
@@ -68,7 +61,6 @@ TEST(HalfSpaces, NoWrenchInsideSlips) {
 
 TEST(HalfSpaces, KeepTheStatedShareInEveryDirection) {
   for (const HalfSpaceCase& one : half_space_cases()) {
-    const PatchPoint centre = one.patch.centre();
     for (std::size_t i = 0; i < 5; ++i) {
       const std::size_t rows = std::array<std::size_t, 5>{8, 14, 32, 62, 128}[i];
       if (tests_are_short && rows > 32) continue;
@@ -78,12 +70,10 @@ TEST(HalfSpaces, KeepTheStatedShareInEveryDirection) {
         EXPECT_NEAR(found.share, one.shares[i], 6e-4) << one.name << rows;
       }
       // In no sampled direction less is kept, and in the direction of a row's own wrench no more.
-      double least = std::numeric_limits<double>::infinity();
+      double least = inf;
       std::mt19937_64 bits(5);
-      std::normal_distribution<double> normal;
       for (int k = 0; k < repetitions(1000); ++k) {
-        PatchWrench w{normal(bits), normal(bits), normal(bits) * one.patch.moment_ratio()};
-        w.moment += centre.x * w.fy - centre.y * w.fx;
+        const PatchWrench w = random_wrench(one.patch, bits);
         least = std::min(least, load_to_hold(one.patch, 1.0, w) / largest(found, w));
       }
       EXPECT_GE(least, found.share * (1.0 - 1e-9)) << one.name << rows;
@@ -117,9 +107,9 @@ TEST(HalfSpaces, DivideByTheErrorOfAnImage) {
 }
 
 TEST(HalfSpaces, RefuseWhatHasNone) {
-  EXPECT_NE(complaint([] { (void)half_spaces(Patch::rectangle(1.0, 1.0), 7); }).find("rows"), std::string::npos);
+  expect_mention(complaint([] { (void)half_spaces(Patch::rectangle(1.0, 1.0), 7); }), "rows");
   const Patch one = Patch::points(std::array{PatchLoad{0.1, 0.2, 1.0}});
-  EXPECT_NE(complaint([&] { (void)half_spaces(one); }).find("single point"), std::string::npos);
+  expect_mention(complaint([&] { (void)half_spaces(one); }), "single point");
 }
 
 }  // namespace

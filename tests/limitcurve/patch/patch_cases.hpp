@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/accuracy.hpp"
 #include "limitcurve/patch/patch.hpp"
 #include "patch_reference.hpp"
-
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <random>
-#include <vector>
+#include "tests/limitcurve/shared.hpp"
 
 /// Outlines and twists for the tests of patches.
 namespace limitcurve::test {

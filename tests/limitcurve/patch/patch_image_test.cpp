@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "patch_cases.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <random>
-#include <utility>
-#include <vector>
-
 namespace limitcurve::test {
 namespace {
 

@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/accuracy.hpp"
-#include "limitcurve/laws.hpp"
 #include "patch_cases.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <vector>
 
 namespace limitcurve::test {
 namespace {

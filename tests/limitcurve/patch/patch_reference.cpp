@@ -54,9 +54,9 @@ Means integrate(const Integrand& integrand) {
   return sum;
 }
 
-PatchFriction from_means(const Means& means, const PatchTwist& twist, Wide cx, Wide cy, Wide about_x, Wide about_y) {
+PatchFriction from_means(const Means& means, const PatchTwist& twist, Wide cx, Wide cy) {
   const Wide sense = twist.omega > 0 ? 1 : -1;
-  const Wide moment = means.distance + (cx - about_x) * means.x + (cy - about_y) * means.y;
+  const Wide moment = means.distance + cx * means.x + cy * means.y;
   return {static_cast<double>(std::fabs(Wide(twist.omega)) * means.distance),
           {static_cast<double>(-sense * means.y), static_cast<double>(sense * means.x),
            static_cast<double>(sense * moment)},
@@ -154,7 +154,7 @@ PatchFriction polygon_by_triangles(std::span<const PatchPoint> vertices, const P
     area += (x1 * y2 - x2 * y1) / 2;
   }
   const Means means{sum.distance / area, sum.x / area, sum.y / area};
-  PatchFriction friction = from_means(means, twist, cx, cy, 0, 0);
+  PatchFriction friction = from_means(means, twist, cx, cy);
   if (far) friction.wrench.moment = static_cast<double>((twist.omega > 0 ? moment : -moment) / area);
   return friction;
 }
@@ -247,7 +247,7 @@ PatchFriction ellipse_by_rays(const PressureLaw& law, double a, double b, const 
     });
     sum.add(length / pi, part);
   }
-  return from_means(sum, twist, cx, cy, 0, 0);
+  return from_means(sum, twist, cx, cy);
 }
 
 PatchFriction image_by_squares(std::span<const double> pressures, std::size_t columns, double pixel,

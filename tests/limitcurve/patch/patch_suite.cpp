@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "../special_values.hpp"
-#include "limitcurve/laws.hpp"
 #include "limitcurve/patch/patch_table.hpp"
 #include "patch_reference.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "tests/limitcurve/shared.hpp"
 
 /// What holds for every kind of patch. A kind is made from a motion of the plane, so that symmetry can be tested.
 namespace limitcurve {

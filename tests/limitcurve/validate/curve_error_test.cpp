@@ -1,21 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How wrong the models are. Each figure has two witnesses: a closed form or the literature, and brute force here.
-#include "limitcurve/accuracy.hpp"
-#include "limitcurve/approximations.hpp"
-#include "limitcurve/exact_curve.hpp"
-#include "limitcurve/laws.hpp"
 #include "limitcurve/validate/validate.hpp"
-#include "tests/limitcurve/special_values.hpp"
+#include "tests/limitcurve/shared.hpp"
 #include "tests/superellipse.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <random>
-#include <utility>
-#include <vector>
 
 namespace limitcurve::test {
 
@@ -86,7 +73,7 @@ TEST(CurveError, OfTheCentreOfRotationHasNoBoundWhereThePressureIsInfinite) {
     const auto ratio = [&](double s) { return ellipse.along(exact.wrench(SlipTwist::about_cor(s))).normal.cor() / s; };
     EXPECT_GT(ratio(1e-40) / ratio(1e-20), 1.5) << name;
     EXPECT_GT(ratio(1e-80) / ratio(1e-40), 1.7) << name;
-    EXPECT_EQ(curve_error(ellipse, exact).max_cor_error, std::numeric_limits<double>::infinity()) << name;
+    EXPECT_EQ(curve_error(ellipse, exact).max_cor_error, inf) << name;
     EXPECT_NEAR(curve_error(exact, exact).max_cor_ratio, 1.0, 1e-12) << name;
     EXPECT_EQ(pade_model(exact).force_cor(), 0.0) << name;
   }

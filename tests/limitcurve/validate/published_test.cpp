@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Values that others printed, each with its source: nobody here chose them.
-#include "limitcurve/exact_curve.hpp"
-#include "limitcurve/laws.hpp"
-#include "limitcurve/pressure_law.hpp"
 #include "limitcurve/validate/validate.hpp"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
+#include "tests/limitcurve/shared.hpp"
 
 namespace limitcurve::test {
 namespace {

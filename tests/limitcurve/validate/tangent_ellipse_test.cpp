@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/validate/tangent_ellipse.hpp"
-#include "limitcurve/approximations.hpp"
-#include "limitcurve/exact_curve.hpp"
-#include "limitcurve/laws.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
+#include "tests/limitcurve/shared.hpp"
 
 namespace limitcurve {
 namespace {
@@ -28,11 +18,6 @@ class TangentEllipseOf : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Laws, TangentEllipseOf, testing::ValuesIn(laws_and_sharp_peaks()),
                          [](const auto& law) { return "law" + std::to_string(law.index); });
 
-/// What an engine with an elliptic cone finds for a slip: maximum dissipation.
-UnitWrench found_by_engine(TangentEllipse axes, SlipTwist slip) {
-  return Ellipse(axes.p, axes.q).wrench(slip);
-}
-
 TEST_P(TangentEllipseOf, HasTheCurvesWrenchAndNormalAndIsAFixedPoint) {
   const Table table = Table::build(parse_law(GetParam()), 1e-8);
   const ExactCurve exact(parse_law(GetParam()));
@@ -43,15 +28,15 @@ TEST_P(TangentEllipseOf, HasTheCurvesWrenchAndNormalAndIsAFixedPoint) {
     const SlipTwist slip = SlipTwist::about_cor(std::pow(10.0, log_c));
     const TangentEllipse axes = tangent_ellipse(table, slip);
     const UnitWrench curve = table.wrench(slip);
-    const UnitWrench engine = found_by_engine(axes, slip);
+    // What an engine with an elliptic cone finds for a slip: maximum dissipation.
+    const UnitWrench engine = Ellipse(axes.p, axes.q).wrench(slip);
     const auto [f, m] = exact.wrench(slip);
     const double power = f * slip.slide + m * slip.spin;
     EXPECT_NEAR(axes.p / std::sqrt(f * power / slip.slide), 1.0,
                 stated_error + (GetParam() == "uniform-wear" ? 1e-8 / f : 0.0))
         << log_c;
     EXPECT_NEAR(axes.q / std::sqrt(m * power / slip.spin), 1.0, stated_error) << log_c;
-    EXPECT_NEAR(engine.force, curve.force, 1e-14) << log_c;
-    EXPECT_NEAR(engine.moment, curve.moment, 1e-14 * m0) << log_c;
+    EXPECT_TRUE(test::are_near(engine, curve, {1e-14, 1e-14 * m0})) << log_c;
     for (const TangentEllipse again : {tangent_ellipse(table, -engine.force, engine.moment, axes.p, axes.q),
                                        tangent_ellipse(table, curve.force, -curve.moment)}) {
       // Where the curve is steep or flat, a rounding of the wrench moves the place.
@@ -74,9 +59,7 @@ TEST_P(TangentEllipseOf, ConvergesToTheExactWrenchWhateverTheSceneImposes) {
         const Ellipse engine(axes.p, axes.q);
         const UnitWrench found = is_slip_imposed ? engine.wrench(slip) : engine.along(goal).wrench;
         const double cor = found.force / (axes.p * axes.p) / (found.moment / (axes.q * axes.q));
-        if (std::fabs(found.force - goal.force) < 1e-6 && std::fabs(found.moment - goal.moment) < 1e-6 &&
-            std::fabs(cor / c - 1.0) < 1e-3)
-          break;
+        if (test::apart(found, goal) < 1e-6 && std::fabs(cor / c - 1.0) < 1e-3) break;
         axes = tangent_ellipse(table, found.force, found.moment, axes.p, axes.q);
       }
     }
@@ -106,7 +89,7 @@ TEST(TangentEllipse, AtRestIsTheUsualOneAndOfNaNIsNaN) {
     EXPECT_EQ(axes.p, 1.0);
     EXPECT_EQ(axes.q, table.moment_ratio());
   }
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad : {test::nan, test::inf}) {
     for (const TangentEllipse axes :
          {tangent_ellipse(table, bad, 0.1), tangent_ellipse(table, 0.1, bad),
           tangent_ellipse(table, bad, 0.1, 1.0, 0.5), tangent_ellipse(table, 0.1, bad, 1.0, 0.5),
@@ -114,8 +97,8 @@ TEST(TangentEllipse, AtRestIsTheUsualOneAndOfNaNIsNaN) {
       EXPECT_TRUE(std::isnan(axes.p) && std::isnan(axes.q)) << bad;
     }
   }
-  EXPECT_TRUE(std::isnan(tangent_ellipse(table, 0.1, 0.1, std::nan(""), 0.5).p));
-  EXPECT_TRUE(std::isnan(tangent_ellipse(table, SlipTwist{0.0, std::nan("")}).p));
+  EXPECT_TRUE(std::isnan(tangent_ellipse(table, 0.1, 0.1, test::nan, 0.5).p));
+  EXPECT_TRUE(std::isnan(tangent_ellipse(table, SlipTwist{0.0, test::nan}).p));
   EXPECT_EQ(tangent_ellipse(table, SlipTwist{-0.3, 0.2}).p, tangent_ellipse(table, SlipTwist{0.3, -0.2}).p);
 }
 
