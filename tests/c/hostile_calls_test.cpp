@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ten thousand calls that a careless or hostile program makes: each is an error with a line that says why, or a right
 // answer.
-#include "c/limitcurve.h"
+#include "tests/c/handle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,14 +22,9 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 class HostileCalls : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(limitcurve_law_parse("hertz", &law), LIMITCURVE_OK);
-    ASSERT_EQ(limitcurve_table_build(law, 1e-4, &table), LIMITCURVE_OK);
-    ASSERT_EQ(limitcurve_patch_rectangle(0.02, 0.01, &patch), LIMITCURVE_OK);
-  }
-  void TearDown() override {
-    limitcurve_patch_free(patch);
-    limitcurve_table_free(table);
-    limitcurve_law_free(law);
+    ASSERT_EQ(limitcurve_law_parse("hertz", law.made()), LIMITCURVE_OK);
+    ASSERT_EQ(limitcurve_table_build(law, 1e-4, table.made()), LIMITCURVE_OK);
+    ASSERT_EQ(limitcurve_patch_rectangle(0.02, 0.01, patch.made()), LIMITCURVE_OK);
   }
 
   double number() {
@@ -40,6 +35,10 @@ class HostileCalls : public testing::Test {
   template <class Thing>
   Thing* or_null(Thing* thing) {
     return random() % 8 == 0 ? nullptr : thing;
+  }
+  template <class Thing, void (*free)(Thing*)>
+  Thing* or_null(const Handle<Thing, free>& thing) {
+    return or_null(static_cast<Thing*>(thing));
   }
   limitcurve_projection projection() {
     static constexpr std::array odd{
@@ -59,9 +58,9 @@ class HostileCalls : public testing::Test {
   std::mt19937 random{13};
   std::size_t calls = 0;
   std::size_t refused = 0;
-  limitcurve_law* law = nullptr;
-  limitcurve_table* table = nullptr;
-  limitcurve_patch* patch = nullptr;
+  LawHandle law;
+  TableHandle table;
+  PatchHandle patch;
 };
 
 TEST_F(HostileCalls, AWrenchOfAPatchIsFinite) {
@@ -94,9 +93,8 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
     std::array<double, 12> out{};
     switch (random() % 13) {
       case 0: {
-        limitcurve_law* made = nullptr;
-        expect_told(limitcurve_law_parse(text(), or_null(&made)));
-        limitcurve_law_free(made);
+        LawHandle made;
+        expect_told(limitcurve_law_parse(text(), or_null(made.made())));
         break;
       }
       case 1:
@@ -107,8 +105,7 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         const limitcurve_status status = limitcurve_table_evaluate(or_null(table), or_null(numbers.data()), 4,
                                                                    or_null(out.data()), or_null(out.data() + 4));
         expect_told(status);
-        for (int i = 0; i < 4 && status == LIMITCURVE_OK; ++i) {
-          const auto cell = static_cast<std::size_t>(i);
+        for (std::size_t cell = 0; cell < 4 && status == LIMITCURVE_OK; ++cell) {
           EXPECT_EQ(std::isnan(out[cell]), std::isnan(numbers[cell]));
           if (!std::isnan(out[cell])) {
             EXPECT_TRUE(out[cell] >= 0 && out[cell] <= 1 && out[cell + 4] >= 0 && out[cell + 4] < 0.6);
@@ -120,10 +117,9 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         expect_told(limitcurve_table_gauge(or_null(table), numbers.data(), numbers.data() + 2, 2, or_null(out.data())));
         break;
       case 4: {
-        limitcurve_table* made = nullptr;
-        expect_told(random() % 2 == 0 ? limitcurve_table_ellipse(number(), number(), &made)
-                                      : limitcurve_table_box(number(), number(), &made));
-        limitcurve_table_free(made);
+        TableHandle made;
+        expect_told(random() % 2 == 0 ? limitcurve_table_ellipse(number(), number(), made.made())
+                                      : limitcurve_table_box(number(), number(), made.made()));
         break;
       }
       case 5: {
@@ -145,10 +141,10 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         if (random() % 2 == 0) parameters.stiffness = number();
         if (random() % 4 == 0) parameters.mu_r = number();
         if (random() % 4 == 0) parameters.radius_law = text();
-        limitcurve_finger* finger = nullptr;
+        FingerHandle finger;
         expect_told(random() % 2 == 0
-                        ? limitcurve_finger_new(or_null(table), or_null(&parameters), projection(), &finger)
-                        : limitcurve_finger_new_patch(or_null(patch), &parameters, number(), &finger));
+                        ? limitcurve_finger_new(or_null(table), or_null(&parameters), projection(), finger.made())
+                        : limitcurve_finger_new_patch(or_null(patch), &parameters, number(), finger.made()));
         for (int i = 0; finger != nullptr && i < 10; ++i) {
           const limitcurve_contact contact{{number(), number(), 0},
                                            {0, 0, random() % 4 == 0 ? number() : 1},
@@ -191,13 +187,12 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
           EXPECT_TRUE(std::isfinite(output.load) && std::isfinite(output.force[0]) && std::isfinite(output.moment) &&
                       output.slip_work >= 0);
         }
-        limitcurve_finger_free(finger);
         break;
       }
       case 7: {
-        limitcurve_batch* batch = nullptr;
+        BatchHandle batch;
         const limitcurve_finger_parameters parameters = limitcurve_finger_defaults();
-        expect_told(limitcurve_batch_new(or_null(table), &parameters, LIMITCURVE_CLOSEST_POINT, &batch));
+        expect_told(limitcurve_batch_new(or_null(table), &parameters, LIMITCURVE_CLOSEST_POINT, batch.made()));
         std::array<std::array<double, 4>, 11> arrays{};
         for (std::array<double, 4>& array : arrays) array = {number(), number(), number(), number()};
         std::array<std::uint8_t, 4> state{static_cast<std::uint8_t>(random()), 1, 2, 3};
@@ -208,24 +203,21 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
             sliding.data(),   turning.data(),    arrays[7].data(), arrays[8].data(),
             arrays[9].data(), arrays[10].data(), arrays[10].data()};
         expect_told(limitcurve_batch_step(batch, or_null(&contacts), 4));
-        limitcurve_batch_free(batch);
         break;
       }
       case 8: {
-        limitcurve_patch* made = nullptr;
-        expect_told(
-            random() % 2 == 0
-                ? limitcurve_patch_points(numbers.data(), numbers.data(), or_null(numbers.data()), random() % 5, &made)
-                : limitcurve_patch_polygon(numbers.data(), or_null(numbers.data()), random() % 5, &made));
-        limitcurve_patch_free(made);
+        PatchHandle made;
+        expect_told(random() % 2 == 0
+                        ? limitcurve_patch_points(numbers.data(), numbers.data(), or_null(numbers.data()), random() % 5,
+                                                  made.made())
+                        : limitcurve_patch_polygon(numbers.data(), or_null(numbers.data()), random() % 5, made.made()));
         break;
       }
       case 9: {
-        limitcurve_patch* made = nullptr;
+        PatchHandle made;
         expect_told(random() % 2 == 0
-                        ? limitcurve_patch_image(or_null(numbers.data()), 2, 2, number(), &made)
-                        : limitcurve_patch_image(numbers.data(), std::size_t(-1), std::size_t(-1), 1, &made));
-        limitcurve_patch_free(made);
+                        ? limitcurve_patch_image(or_null(numbers.data()), 2, 2, number(), made.made())
+                        : limitcurve_patch_image(numbers.data(), std::size_t(-1), std::size_t(-1), 1, made.made()));
         break;
       }
       case 10:
@@ -248,11 +240,10 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         break;
       }
       default: {
-        limitcurve_table* made = nullptr;
+        TableHandle made;
         std::string csv = limitcurve_table_csv(table);
         csv[random() % csv.size()] = static_cast<char>(random());
-        expect_told(limitcurve_table_read_csv(or_null(csv.data()), csv.size() - random() % 3, "memory", &made));
-        limitcurve_table_free(made);
+        expect_told(limitcurve_table_read_csv(or_null(csv.data()), csv.size() - random() % 3, "memory", made.made()));
       }
     }
   }
@@ -263,8 +254,8 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
 // By the name that it has in the header.
 TEST_F(HostileCalls, AnArrayThatIsMissingIsNamed) {
   const limitcurve_finger_parameters parameters = limitcurve_finger_defaults();
-  limitcurve_batch* batch = nullptr;
-  ASSERT_EQ(limitcurve_batch_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, &batch), LIMITCURVE_OK);
+  BatchHandle batch;
+  ASSERT_EQ(limitcurve_batch_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, batch.made()), LIMITCURVE_OK);
   double number = 0.0;
   std::uint8_t state = 0;
   const auto told = [&](auto member, const std::string& name) {
@@ -279,7 +270,6 @@ TEST_F(HostileCalls, AnArrayThatIsMissingIsNamed) {
       TOLD(force_slides);
   TOLD(moment_slides), TOLD(search_start), TOLD(search_rate), TOLD(fx), TOLD(fy), TOLD(moment);
 #undef TOLD
-  limitcurve_batch_free(batch);
 }
 
 TEST_F(HostileCalls, ThreadsHaveErrorsOfTheirOwn) {
@@ -288,8 +278,8 @@ TEST_F(HostileCalls, ThreadsHaveErrorsOfTheirOwn) {
     threads.emplace_back([this, i] {
       const std::string wrong = "nonsense" + std::to_string(i);
       for (int round = 0; round < 1000; ++round) {
-        limitcurve_law* made = nullptr;
-        ASSERT_EQ(limitcurve_law_parse(wrong.c_str(), &made), LIMITCURVE_INVALID);
+        LawHandle made;
+        ASSERT_EQ(limitcurve_law_parse(wrong.c_str(), made.made()), LIMITCURVE_INVALID);
         ASSERT_NE(std::string(limitcurve_error()).find(wrong), std::string::npos);
         const double cor = 0.5;
         double force = 0;
@@ -314,19 +304,17 @@ TEST_F(HostileCalls, AFreedHandleIsRefusedInADebugBuild) {
 }
 #endif
 
-TEST(Errors, NameTheArgumentItsValueAndWhatIsExpected) {
-  limitcurve_law* law = nullptr;
-  ASSERT_EQ(limitcurve_law_parse("hertz", &law), LIMITCURVE_OK);
+TEST_F(HostileCalls, ACorIsADistanceAndALawIsNamed) {
   const std::array<double, 2> cors{0.25, -0.25};
   std::array<double, 2> forces{};
   std::array<double, 2> moments{};
-  EXPECT_EQ(limitcurve_law_evaluate(law, cors.data(), 2, forces.data(), moments.data(), nullptr, nullptr),
-            LIMITCURVE_OK);
+  const auto evaluate = [&](const limitcurve_law* of) {
+    return limitcurve_law_evaluate(of, cors.data(), 2, forces.data(), moments.data(), nullptr, nullptr);
+  };
+  EXPECT_EQ(evaluate(law), LIMITCURVE_OK);
   EXPECT_EQ(forces[0], forces[1]);
-  EXPECT_EQ(limitcurve_law_evaluate(nullptr, cors.data(), 2, forces.data(), moments.data(), nullptr, nullptr),
-            LIMITCURVE_INVALID);
+  EXPECT_EQ(evaluate(nullptr), LIMITCURVE_INVALID);
   EXPECT_STREQ(limitcurve_error(), "law: got NULL");
-  limitcurve_law_free(law);
 }
 
 }  // namespace
