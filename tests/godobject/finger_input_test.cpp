@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A finger with any input: the ends of each range, NaN, jumps, random steps, random bits.
 #include "godobject/finger/sample.hpp"
-#include "tests/complaint.hpp"
 #include "tests/godobject/scene.hpp"
-
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <string>
 
 namespace limitcurve::godobject::test {
 namespace {
-
-using limitcurve::test::complaint;
-using limitcurve::test::expect_mention;
 
 /// With the default guard against jumps.
 SoftFinger guarded_finger() {

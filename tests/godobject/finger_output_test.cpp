@@ -2,8 +2,6 @@
 // Outputs of a finger beside force and moment: margin, load to hold, position of the COR; and its state as a value.
 #include "tests/godobject/scene.hpp"
 
-#include <gtest/gtest.h>
-
 namespace limitcurve::godobject::test {
 namespace {
 
@@ -15,8 +13,7 @@ TEST(SoftFinger, StateIsAValue) {
   for (int i = 100; i < 200; ++i) {
     finger.update(on_plane(i * 1e-4, 0.0, 0.002), i * 0.01);
     other.update(on_plane(i * 1e-4, 0.0, 0.002), i * 0.01);
-    ASSERT_TRUE(same_bits(finger.output().force, other.output().force));
-    ASSERT_EQ(finger.output().moment, other.output().moment);
+    expect_same(finger.output(), other.output());
   }
 }
 
@@ -125,7 +122,7 @@ TEST(SoftFinger, HasNoCentreOfRotationInASampleThatIsInvalid) {
   auto finger = hertz_finger();
   for (int i = 0; i < 10; ++i) finger.update(on_plane(1e-3 * i, 0.0, 0.002), 0.1 * i);
   ASSERT_EQ(finger.output().state, ContactState::slip);
-  finger.update(on_plane(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.002), 1.0);
+  finger.update(on_plane(nan, 0.0, 0.002), 1.0);
   ASSERT_EQ(finger.output().state, ContactState::invalid);
   EXPECT_TRUE(std::isnan(finger.output().cor));
   EXPECT_TRUE(std::isnan(finger.centre_of_rotation().x()));
@@ -140,7 +137,7 @@ TEST(SoftFinger, IsNotDampedWhereNoVelocityIsKnown) {
   finger.reset();
   EXPECT_NEAR(load_at(0.002), 0.002 * with.stiffness, 1e-12);
   // 0.1 s without a sample, in which the finger goes 1 mm deeper.
-  for (int i = 0; i < 100; ++i) load_at(std::numeric_limits<double>::quiet_NaN());
+  for (int i = 0; i < 100; ++i) load_at(nan);
   EXPECT_NEAR(load_at(0.003), 0.003 * with.stiffness, 1e-12);
   // From there on it is damped again.
   EXPECT_NEAR(load_at(0.0031), 0.0031 * with.stiffness + 5.0 * 1e-4 / 1e-3, 1e-9);

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/godobject/scene.hpp"
 
-#include <gtest/gtest.h>
-
-#include <memory>
-#include <numbers>
-#include <utility>
-
 namespace limitcurve::godobject::test::finger_test {
 namespace {
 

@@ -3,9 +3,6 @@
 
 #include "tests/godobject/random_scene.hpp"
 
-#include <limits>
-#include <vector>
-
 /// What a user's file does with a finger. Two files hold it, one of them compiled with -ffast-math; static, so that
 /// each has its own.
 namespace limitcurve::godobject::test {

@@ -2,33 +2,12 @@
 // What a host with collisions of its own needs: orientations, a body that moves, materials of the touched object.
 #include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/random_scene.hpp"
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <string_view>
 
 namespace limitcurve::godobject::test {
 namespace {
 
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
-
-std::array<std::uint64_t, 15> bits_of(const FingerOutput& out) {
-  return std::bit_cast<std::array<std::uint64_t, 15>>(std::array{
-      out.proxy.x(), out.proxy.y(), out.proxy.z(), out.normal.x(), out.normal.y(), out.normal.z(), out.force.x(),
-      out.force.y(), out.force.z(), out.angle, out.depth, out.load, out.moment, out.cor, out.slip_work});
-}
-
-void expect_same(const FingerOutput& one, const FingerOutput& other) {
-  EXPECT_EQ(bits_of(one), bits_of(other));
-  EXPECT_EQ(one.state, other.state);
-  EXPECT_EQ(one.fault, other.fault);
-}
 
 TEST(Host, AContactWithAnOrientationIsThePoseOnTheSurface) {
   const AnySurface ball{Ball{0.03}};

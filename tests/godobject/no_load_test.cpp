@@ -3,17 +3,6 @@
 #include "godobject/friction.hpp"
 #include "tests/godobject/scene.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <compare>
-#include <cstdint>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace limitcurve::godobject::test::no_load_test {
 
 /// A number that counts the cells of a table which it looks up: the evaluations of a search.

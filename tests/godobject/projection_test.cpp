@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/godobject/scene.hpp"
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
-
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace limitcurve::godobject::test::projection_test {
 namespace {

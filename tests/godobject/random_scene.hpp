@@ -7,13 +7,7 @@
 #define LIMITCURVE_TESTS_CURVED
 #endif
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cstdlib>
-#include <numbers>
-#include <string>
-#include <vector>
 
 /// Seeded random scenes: every kind of surface, sets of parameters, and devices that press, slide, twist, rest and lift
 /// off.
@@ -81,25 +75,6 @@ inline std::vector<NamedParameters> all_parameters() {
           })};
 }
 
-/// The curves of `kinds` with every projection that they go with.
-struct CurveChoice {
-  CurveKind kind;
-  Projection projection;
-  [[nodiscard]] std::string name() const {
-    return std::string(to_string(kind)) + ' ' + std::string(to_string(projection));
-  }
-};
-
-inline std::vector<CurveChoice> all_curves() {
-  std::vector<CurveChoice> result;
-  for (const CurveKind kind : curve_kinds) {
-    for (const Projection projection : projections) {
-      if (kind != CurveKind::box || projection == Projection::closest_point) result.push_back({kind, projection});
-    }
-  }
-  return result;
-}
-
 struct Choice {
   NamedSurface surface;
   CurveChoice curve;
@@ -133,7 +108,7 @@ void for_each_choice(std::uint64_t seed, Body&& body) {
 inline Eigen::Vector3d random_direction(Random& random) {
   Eigen::Vector3d way;
   do {
-    way = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+    way = random.vector(1.0);
   } while (!(way.squaredNorm() > 0.01 && way.squaredNorm() < 1.0));
   return way.normalized();
 }

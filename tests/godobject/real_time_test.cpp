@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/soft_finger.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/real_time_guard.hpp"
-
-#include <gtest/gtest.h>
 
 #include <mutex>
 
@@ -18,13 +15,6 @@ TEST(RealTime, TheGuardSeesAnAllocationAndALock) {
   EXPECT_GT(allocations_and_locks([] { delete new volatile int(3); }), 0);
   std::mutex mutex;
   EXPECT_GT(allocations_and_locks([&] { const std::lock_guard lock(mutex); }), 0);
-  EXPECT_GT(allocations_and_locks([] {
-              volatile std::size_t size = 100;
-              std::vector<double> v(size);
-              volatile double sink = v[0];
-              static_cast<void>(sink);
-            }),
-            0);
 }
 
 TEST(RealTime, AStepNeitherAllocatesNorLocks) {
@@ -46,7 +36,7 @@ TEST(RealTime, AStepNeitherAllocatesNorLocks) {
             static_cast<void>(finger.load_to_hold());
             static_cast<void>(finger.preview(on_plane(0.0, 0.0, 0.001), 0.0));
           }
-          finger.update(on_plane(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), 0.0);
+          finger.update(on_plane(nan, 0.0, 0.0), 0.0);
         });
         EXPECT_EQ(count, 0) << name;
       });

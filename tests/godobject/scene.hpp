@@ -2,24 +2,21 @@
 #pragma once
 
 #include "godobject/godobject.hpp"
-#include "limitcurve/limitcurve.hpp"
+#include "tests/limitcurve/shared.hpp"
 
 #include <Eigen/Core>
 
-#include <array>
 #include <bit>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <random>
-#include <string>
-#include <string_view>
+#include <optional>
 
 /// What the tests of this folder share: a finger on the plane z = 0, and seeded random numbers.
 namespace limitcurve::godobject::test {
 
-inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
+using limitcurve::test::apart;
+using limitcurve::test::complaint;
+using limitcurve::test::expect_mention;
+using limitcurve::test::nan;
+inline constexpr double infinity = limitcurve::test::inf;
 
 /// A finger at (x, y), `depth` beneath the plane z = 0.
 inline Contact on_plane(double x, double y, double depth) {
@@ -74,15 +71,30 @@ void for_each_curve(const Law& law, Body&& body) {
   for (const CurveKind kind : curve_kinds) body(make_finger_curve(kind, law, 1e-8), std::string(to_string(kind)));
 }
 
-/// Every kind of curve with every projection that it goes with, handed to `body(curve, projection, name)`.
+/// A kind of curve with a projection that it goes with.
+struct CurveChoice {
+  CurveKind kind;
+  Projection projection;
+  [[nodiscard]] std::string name() const {
+    return std::string(to_string(kind)) + ' ' + std::string(to_string(projection));
+  }
+};
+
+inline std::vector<CurveChoice> all_curves() {
+  std::vector<CurveChoice> result;
+  for (const CurveKind kind : curve_kinds) {
+    for (const Projection projection : projections) {
+      if (kind != CurveKind::box || projection == Projection::closest_point) result.push_back({kind, projection});
+    }
+  }
+  return result;
+}
+
+/// All of them, of one law, handed to `body(curve, projection, name)`.
 template <class Body>
 void for_each_curve_and_projection(const Law& law, Body&& body) {
-  for_each_curve(law, [&](const FingerCurve& curve, const std::string& name) {
-    for (const Projection projection : projections) {
-      if (curve.is_box() && projection != Projection::closest_point) continue;
-      body(curve, projection, name + " " + std::string(to_string(projection)));
-    }
-  });
+  for (const CurveChoice& choice : all_curves())
+    body(make_finger_curve(choice.kind, law, 1e-8), choice.projection, choice.name());
 }
 
 /// The finest table of a law.
@@ -100,6 +112,18 @@ inline SoftFinger hertz_finger(const FingerParameters& with = parameters()) {
 }
 inline SoftFinger exact_hertz_finger(const FingerParameters& with = parameters()) {
   return {exact_curve(hertz()), with};
+}
+
+/// That nothing differs, not by one bit.
+inline void expect_same(const FingerOutput& one, const FingerOutput& other) {
+  const auto bits = [](const FingerOutput& out) {
+    return std::bit_cast<std::array<std::uint64_t, 15>>(std::array{
+        out.proxy.x(), out.proxy.y(), out.proxy.z(), out.normal.x(), out.normal.y(), out.normal.z(), out.force.x(),
+        out.force.y(), out.force.z(), out.angle, out.depth, out.load, out.moment, out.cor, out.slip_work});
+  };
+  EXPECT_EQ(bits(one), bits(other));
+  EXPECT_EQ(to_string(one.state), to_string(other.state));
+  EXPECT_EQ(to_string(one.fault), to_string(other.fault));
 }
 
 /// A friction wrench in units of μP and μPa.

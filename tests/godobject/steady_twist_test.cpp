@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/accuracy.hpp"
 #include "tests/godobject/scene.hpp"
-
-#include <gtest/gtest.h>
-
-#include <numbers>
 
 namespace limitcurve::godobject::test::steady_twist_test {
 namespace {

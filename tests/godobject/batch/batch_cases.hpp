@@ -4,12 +4,6 @@
 #include "godobject/batch/batch.hpp"
 #include "tests/godobject/scene.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <string>
-#include <vector>
-
 /// What the tests of batches share.
 namespace limitcurve::godobject::test {
 
@@ -69,6 +63,15 @@ void move_all(BasicContactArrays<Real>& arrays, Random& random, double longest) 
     arrays.twist()[i] += static_cast<Real>(random.uniform(-200.0, 200.0) * stride);
     arrays.depth()[i] = static_cast<Real>(random.uniform(-0.0002, 0.003));
   }
+}
+
+/// Gives the contacts of `to` the places of those of `from`.
+template <class From, class To>
+void copy_places(BasicContactArrays<From>& from, BasicContactArrays<To>& to) {
+  std::ranges::copy(from.x(), to.x().begin());
+  std::ranges::copy(from.y(), to.y().begin());
+  std::ranges::copy(from.twist(), to.twist().begin());
+  std::ranges::copy(from.depth(), to.depth().begin());
 }
 
 /// All numbers of a batch that a step writes, one contact after the other.

@@ -3,8 +3,6 @@
 #include "tests/godobject/host_settings.hpp"
 #include "tests/godobject/host_settings_user.hpp"
 
-#include <gtest/gtest.h>
-
 namespace limitcurve::godobject::test {
 namespace {
 

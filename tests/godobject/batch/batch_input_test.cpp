@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a batch makes of any input.
 #include "tests/godobject/batch/batch_cases.hpp"
-#include "tests/repetitions.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
 #include <span>
-#include <stdexcept>
 
 namespace limitcurve::godobject::test {
 namespace {
@@ -63,11 +55,7 @@ TYPED_TEST(BatchInput, AFaultHoldsTheGrip) {
     const auto step = [&](BasicContactArrays<Real>& one) { batch.step(one.batch()); };
     for (int round = 0; round < 20; ++round) {
       move_all(arrays, random, 1e-3);
-      for (const auto& [to, from] :
-           {std::pair(undisturbed.x(), arrays.x()), std::pair(undisturbed.y(), arrays.y()),
-            std::pair(undisturbed.twist(), arrays.twist()), std::pair(undisturbed.depth(), arrays.depth())}) {
-        std::ranges::copy(from, to.begin());
-      }
+      copy_places(arrays, undisturbed);
       step(arrays);
       step(undisturbed);
       ASSERT_EQ(written(arrays.batch()), written(undisturbed.batch())) << with.name << ' ' << round;

@@ -3,10 +3,6 @@
 #include "tests/godobject/scene.hpp"
 #include "tests/real_time_guard.hpp"
 
-#include <gtest/gtest.h>
-
-#include <utility>
-
 namespace limitcurve::godobject::test {
 namespace {
 

@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Batches of both precisions agree with single fingers and keep the same promises.
 #include "tests/godobject/batch/batch_cases.hpp"
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 namespace limitcurve::godobject::test {
 namespace {
@@ -33,14 +23,15 @@ TEST(Batch, DoesWhatSoftFingersDo) {
       for (std::size_t i = 0; i < count; ++i) {
         const FingerOutput output =
             fingers[i].update(on_plane(result.x[i], result.y[i], result.depth[i]), result.twist[i]);
-        ASSERT_EQ(result.state[i], output.state) << with.name << ' ' << round << ' ' << i;
+        SCOPED_TRACE(testing::Message() << with.name << ' ' << round << ' ' << i);
+        ASSERT_EQ(result.state[i], output.state);
         const double limit = 1e-12 * with.with.mu * output.load;
-        ASSERT_NEAR(result.fx[i], output.force.x(), limit) << with.name << ' ' << round << ' ' << i;
-        ASSERT_NEAR(result.fy[i], output.force.y(), limit) << with.name;
-        ASSERT_NEAR(result.moment[i], output.moment, limit * 0.005) << with.name;
-        ASSERT_NEAR(result.proxy_x[i], output.proxy.x(), 1e-15) << with.name;
-        ASSERT_NEAR(result.proxy_y[i], output.proxy.y(), 1e-15) << with.name;
-        ASSERT_NEAR(result.proxy_angle[i], output.angle, 1e-12) << with.name;
+        ASSERT_NEAR(result.fx[i], output.force.x(), limit);
+        ASSERT_NEAR(result.fy[i], output.force.y(), limit);
+        ASSERT_NEAR(result.moment[i], output.moment, limit * 0.005);
+        ASSERT_NEAR(result.proxy_x[i], output.proxy.x(), 1e-15);
+        ASSERT_NEAR(result.proxy_y[i], output.proxy.y(), 1e-15);
+        ASSERT_NEAR(result.proxy_angle[i], output.angle, 1e-12);
       }
     }
   }
@@ -57,10 +48,7 @@ TEST(Batch, InFloatGivesTheWrenchOfTheDoubleStep) {
   double worst = 0.0;
   for (int round = 0; round < 200; ++round) {
     move_all(floats, random, 1e-3);
-    std::ranges::copy(floats.x(), doubles.x().begin());
-    std::ranges::copy(floats.y(), doubles.y().begin());
-    std::ranges::copy(floats.twist(), doubles.twist().begin());
-    std::ranges::copy(floats.depth(), doubles.depth().begin());
+    copy_places(floats, doubles);
     const FloatContactBatch felt = floats.batch();
     const ContactBatch expected = doubles.batch();
     single.step(felt);
@@ -235,46 +223,40 @@ TYPED_TEST(BatchOf, AProxyThatIsNaNIsAFaultUntilTheContactEnds) {
   }
 }
 
-/// Batches remember both slip states: contact by contact what a finger does.
-template <class Real>
-void expect_batch_of_fingers(double tolerance) {
+// Batches remember both slip states: contact by contact what a finger does.
+TEST(FloatBatch, OfABoxRemembersBothSlips) {
   constexpr std::size_t count = 67;
   FingerParameters with = parameters(0.6, 0.005, 1000.0, 0.04);
   with.mu_dynamic = 0.3;
   const auto limits = box(1.0, hertz()->moment_ratio());
-  const BasicBatch<Real> batch(limits, with);
+  const FloatBatch batch(limits, with);
   std::vector<SoftFinger> fingers(count, SoftFinger(limits, with));
-  BasicContactArrays<Real> arrays(count);
+  FloatContactArrays arrays(count);
   Random random(11);
   int only_one = 0;
   for (int step = 0; step < 300; ++step) {
     for (std::size_t i = 0; i < count; ++i) {
       // Even contacts slide and hold their twist near its sticking limit, odd ones turn and hold their position.
       const bool slides = i % 2 == 0;
-      arrays.x()[i] = static_cast<Real>(slides ? 1e-5 * step : 5e-4 * std::min(step / 10.0, 1.0));
-      arrays.twist()[i] = static_cast<Real>(slides ? 0.04 * std::min(step / 10.0, 1.0) : 1e-3 * step);
-      arrays.depth()[i] = static_cast<Real>(0.001);
+      arrays.x()[i] = static_cast<float>(slides ? 1e-5 * step : 5e-4 * std::min(step / 10.0, 1.0));
+      arrays.twist()[i] = static_cast<float>(slides ? 0.04 * std::min(step / 10.0, 1.0) : 1e-3 * step);
+      arrays.depth()[i] = 0.001F;
     }
-    const BasicContactBatch<Real> contacts = arrays.batch();
+    const FloatContactBatch contacts = arrays.batch();
     batch.step(contacts);
     for (std::size_t i = 0; i < count; ++i) {
       const FingerOutput output =
           fingers[i].update(on_plane(double{contacts.x[i]}, 0.0, double{contacts.depth[i]}), double{contacts.twist[i]});
-      ASSERT_EQ(contacts.state[i], output.state) << step << ' ' << i;
-      ASSERT_NEAR(double{contacts.fx[i]}, output.force.x(), tolerance) << step << ' ' << i;
-      ASSERT_NEAR(double{contacts.moment[i]}, output.moment, 0.005 * tolerance) << step << ' ' << i;
-      ASSERT_EQ(contacts.force_slides[i] == ContactState::slip, fingers[i].state().friction.force_slides)
-          << step << ' ' << i;
-      ASSERT_EQ(contacts.moment_slides[i] == ContactState::slip, fingers[i].state().friction.moment_slides)
-          << step << ' ' << i;
+      SCOPED_TRACE(testing::Message() << step << ' ' << i);
+      ASSERT_EQ(contacts.state[i], output.state);
+      ASSERT_NEAR(double{contacts.fx[i]}, output.force.x(), 1e-5);
+      ASSERT_NEAR(double{contacts.moment[i]}, output.moment, 5e-8);
+      ASSERT_EQ(contacts.force_slides[i] == ContactState::slip, fingers[i].state().friction.force_slides);
+      ASSERT_EQ(contacts.moment_slides[i] == ContactState::slip, fingers[i].state().friction.moment_slides);
       only_one += (contacts.force_slides[i] == ContactState::slip) != (contacts.moment_slides[i] == ContactState::slip);
     }
   }
   EXPECT_GT(only_one, 1000);
-}
-
-TEST(FloatBatch, OfABoxRemembersBothSlips) {
-  expect_batch_of_fingers<float>(1e-5);
 }
 
 }  // namespace

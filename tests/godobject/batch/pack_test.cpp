@@ -2,19 +2,9 @@
 // What packs step is what single numbers step, bit for bit.
 #include "godobject/batch/step.hpp"
 #include "tests/godobject/batch/batch_cases.hpp"
-#include "tests/repetitions.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <bit>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <string>
 #include <thread>
 #include <type_traits>
-#include <vector>
 
 namespace limitcurve::godobject::test::pack_test {
 namespace {

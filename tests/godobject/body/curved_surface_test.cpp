@@ -2,13 +2,8 @@
 // Faults of the first edition on curved surfaces: twist without rotation, and energy gain on a closed path. The test
 // computes work and spin independently: from forces along the finger's path, and from angles in closed form.
 #include "godobject/body/grasp.hpp"
-#include "godobject/godobject.hpp"
 #include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/scene.hpp"
-
-#include <gtest/gtest.h>
-
-#include <numbers>
 
 namespace limitcurve::godobject::test::curved_surface_test {
 namespace {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a real device does to a finger: samples that repeat, are quantised, noisy, refused or late.
 #include "godobject/body/grasp.hpp"
-#include "godobject/godobject.hpp"
 #include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/scene.hpp"
-
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <random>
-#include <vector>
 
 namespace limitcurve::godobject::test {
 namespace {

@@ -4,11 +4,6 @@
 #include "godobject/surfaces/surfaces.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/integrators.hpp"
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
-
-#include <numbers>
 
 namespace limitcurve::godobject::test::grasp_test {
 namespace {
@@ -115,7 +110,7 @@ TEST(Grasp, AFirstTouchNeedsNoGravity) {
       std::vector<DevicePose> out;
       std::vector<DevicePose> in;
       for (std::size_t i = 0; i < fingers; ++i) {
-        const Vector3d way = Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+        const Vector3d way = random.vector(1.0).normalized();
         out.push_back({0.0201 * way});
         in.push_back({(0.02 - random.logarithmic(1e-9, 2e-3)) * way});
       }
@@ -229,8 +224,8 @@ TEST(Grasp, SurvivesBadDevices) {
   grasp.place(BodyState{}, good);
   for (int i = 0; i < 1000; ++i) grasp.step(good, 1e-3);
   auto bad = good;
-  bad[0].position.x() = std::numeric_limits<double>::quiet_NaN();
-  bad[1].orientation.x() = std::numeric_limits<double>::infinity();
+  bad[0].position.x() = nan;
+  bad[1].orientation.x() = infinity;
   for (int i = 0; i < 5; ++i) grasp.step(bad, 1e-3);
   EXPECT_EQ(grasp.finger(0).output().state, ContactState::invalid);
   EXPECT_TRUE(grasp.body().position.allFinite());
@@ -289,7 +284,6 @@ TEST(Grasp, ResetStartsAnew) {
 
 // A refused step moves nothing, not by one bit, says so, and is over with the next one.
 TEST(Grasp, RefusesInvalidSteps) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
   BodyParameters body = BodyParameters::block(0.1, edges);
   body.gravity = {0.0, -9.81, 0.0};
   Grasp grasp = make_grasp(body, edges, parameters(), ellipse, 2);
@@ -308,11 +302,11 @@ TEST(Grasp, RefusesInvalidSteps) {
     EXPECT_EQ(next.finger(0).output().state, ContactState::stick);
     EXPECT_TRUE(same_bits(next.body().position, undisturbed.body().position));
   };
-  for (const double none : {nan, inf, -inf, -1e-3, 0.0}) {
+  for (const double none : {nan, infinity, -infinity, -1e-3, 0.0}) {
     grasp.step(devices, none);
     is_refused(Fault::time_step);
   }
-  for (const double none : {nan, inf, 1e300, 1e30}) {
+  for (const double none : {nan, infinity, 1e300, 1e30}) {
     grasp.step(devices, 1e-3, {none, 0.0, 0.0});
     is_refused(Fault::force);
     grasp.step(devices, 1e-3, Vector3d::Zero(), {0.0, none, 0.0});

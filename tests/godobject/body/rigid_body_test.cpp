@@ -5,13 +5,6 @@
 #include "godobject/body/grasp.hpp"
 
 #include "tests/godobject/scene.hpp"
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <limits>
-#include <stdexcept>
 
 namespace limitcurve::godobject::test {
 namespace {
@@ -154,16 +147,16 @@ TEST(BodyParameters, EvenlyFilledBodiesHaveTheInertiaOfTheirOutline) {
             return (at - Vector3d(0.0, 0.0, std::clamp(at.z(), -0.5 * length, 0.5 * length))).norm() <= r;
           }));
   is_near(BodyParameters::block(0.3, 2.0 * slim), counted_inertia(slim, [](const Vector3d&) { return true; }));
-  EXPECT_THROW(static_cast<void>(BodyParameters::ball(0.1, 0.0)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(BodyParameters::cylinder(0.1, 0.1, 0.0)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(BodyParameters::capsule(-0.1, 0.1, 0.0)), std::invalid_argument);
+  EXPECT_THROW((void)BodyParameters::ball(0.1, 0.0), std::invalid_argument);
+  EXPECT_THROW((void)BodyParameters::cylinder(0.1, 0.1, 0.0), std::invalid_argument);
+  EXPECT_THROW((void)BodyParameters::capsule(-0.1, 0.1, 0.0), std::invalid_argument);
 }
 
 TEST(BodyParameters, AndShapesOfNoSizeAreRefused) {
-  EXPECT_THROW(static_cast<void>(BodyParameters::block(0.0, {0.12, 0.04, 0.04})), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(BodyParameters::block(0.1, {0.1, -0.1, 0.1})), std::invalid_argument);
+  EXPECT_THROW((void)BodyParameters::block(0.0, {0.12, 0.04, 0.04}), std::invalid_argument);
+  EXPECT_THROW((void)BodyParameters::block(0.1, {0.1, -0.1, 0.1}), std::invalid_argument);
   EXPECT_THROW(SphereSurface(0.0), std::invalid_argument);
-  EXPECT_THROW(BoxSurface({0.1, 0.1, std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
+  EXPECT_THROW(BoxSurface({0.1, 0.1, nan}), std::invalid_argument);
 }
 
 }  // namespace

@@ -3,10 +3,6 @@
 #include "limitcurve/patch/patch.hpp"
 #include "tests/godobject/scene.hpp"
 
-#include <gtest/gtest.h>
-
-#include <utility>
-
 namespace limitcurve::godobject::test {
 namespace {
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A finger whose load a physics engine gives: a stick is a function of the pose, and friction reaches its limit on a
 // ball of any radius.
-#include "godobject/surface.hpp"
 #include "limitcurve/patch/patch.hpp"
 #include "tests/godobject/scene.hpp"
-
-#include <gtest/gtest.h>
-
-#include <numbers>
 
 namespace limitcurve::godobject::test {
 namespace {
@@ -223,7 +218,7 @@ TEST(GivenLoad, NoPathWinsEnergy) {
     double won = 0.0;
     double passed = 0.0;
     for (int i = 0; i < 20000; ++i) {
-      step = 0.99 * step + 1e-4 * Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      step = 0.99 * step + random.vector(1e-4);
       normal = (normal + step).normalized();
       const Vector3d point = 0.004 * normal;
       const double before = finger.spring_energy();

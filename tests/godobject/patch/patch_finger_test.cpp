@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/patch/patch_projection.hpp"
 #include "limitcurve/patch/patch_table.hpp"
-#include "tests/complaint.hpp"
 #include "tests/godobject/scene.hpp"
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
-#include <Eigen/Geometry>
-
-#include <cmath>
-#include <limits>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace limitcurve::godobject::test::patch_finger_test {
 
@@ -144,7 +133,7 @@ TEST(PatchFinger, OfADiscIsSoftFinger) {
         ASSERT_EQ(one.state, two.state) << name << ' ' << i;
         EXPECT_NEAR((one.proxy - two.proxy).norm(), 0.0, 1e-9 * 0.006) << i;
         EXPECT_NEAR(one.angle, two.angle, 1e-9) << i;
-        EXPECT_NEAR((one.force - two.force).norm(), 0.0, 1e-9) << i;
+        EXPECT_LE((one.force - two.force).norm(), 1e-9) << i;
         EXPECT_NEAR(one.moment / 0.006, two.moment / 0.006, 1e-9) << i;
         slips += one.state == ContactState::slip;
         if (one.state == ContactState::slip) {
@@ -223,7 +212,7 @@ TEST(PatchFinger, TheOriginOfThePatchPlaysNoPart) {
   for (int i = 0; i < 100; ++i) {
     const FingerOutput one = here.update(on_plane(1e-4 * i, 5e-5 * i, 1e-3), 0.01 * i);
     const FingerOutput two = there.update(on_plane(1e-4 * i, 5e-5 * i, 1e-3), 0.01 * i);
-    EXPECT_NEAR((one.force - two.force).norm(), 0.0, 1e-9);
+    EXPECT_LE((one.force - two.force).norm(), 1e-9);
     EXPECT_NEAR(one.moment, two.moment, 1e-11);
   }
 }
@@ -243,7 +232,7 @@ TEST(PatchFinger, WithoutFrictionFollowsTheFinger) {
 TEST(PatchFinger, BadParametersAreNamed) {
   const auto refused = [](const Patch& patch, const FingerParameters& parameters, const char* told,
                           double radius = 0.0) {
-    limitcurve::test::expect_mention(limitcurve::test::complaint([&] { SoftFinger(patch, parameters, radius); }), told);
+    expect_mention(complaint([&] { SoftFinger(patch, parameters, radius); }), told);
   };
   FingerParameters parameters = usual();
   parameters.mu_r = 0.01;

@@ -4,20 +4,7 @@
 #include "godobject/scene/choose_step.hpp"
 
 #include "godobject/scene/replay.hpp"
-#include "limitcurve/pressure_law.hpp"
 #include "tests/godobject/scene.hpp"
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace limitcurve::godobject::test::choice_study {
 namespace {

@@ -2,16 +2,10 @@
 // The gains that the formulas call passive or stable, against energy counted in a sampled wall and a body let go.
 #include "godobject/scene/passivity.hpp"
 
-#include "tests/complaint.hpp"
-#include "tests/godobject/scene.hpp"
 #include "tests/godobject/scene/metamorphic/energy_search.hpp"
 #include "tests/integrators.hpp"
 
-#include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
-
-#include <numbers>
-#include <vector>
 
 namespace limitcurve::godobject::test::passivity_test {
 namespace {
@@ -202,7 +196,7 @@ TEST(Passivity, SaysWhatToChange) {
   EXPECT_EQ(device_damping_needed(1000.0, 0.0, 1e-3, 2), 2.5);
   EXPECT_NO_THROW(require_passive(with, sample_time, {0.91, 1.0}));
   const auto refused = [&](DeviceDamping device, double time, const char* told) {
-    limitcurve::test::expect_mention(limitcurve::test::complaint([&] { require_passive(with, time, device); }), told);
+    expect_mention(complaint([&] { require_passive(with, time, device); }), told);
   };
   refused({0.65, 1.0}, sample_time, "more than 0.9 N s/m, got 0.65; expected a stiffness below 500");
   refused({0.3, 1.0}, sample_time, "less damping");

@@ -2,14 +2,7 @@
 #include "godobject/scene/pivot.hpp"
 
 #include "godobject/scene/gripped_block.hpp"
-#include "limitcurve/laws.hpp"
-#include "tests/complaint.hpp"
 #include "tests/godobject/scene.hpp"
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
-
-#include <numbers>
 
 namespace limitcurve::godobject::test::pivot_test {
 namespace {
@@ -121,7 +114,7 @@ TEST(Pivot, AGripThatIsLeftOpenHoldsTheBlockAtFirst) {
   // Where no load holds the block, there is none to find.
   options.mu_r = 0.0;
   EXPECT_EQ(default_load(options), 0.5);
-  EXPECT_EQ(Pivot(options).holding_load(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(Pivot(options).holding_load(), infinity);
 }
 
 // Deeper than 0.5 m, where a finger's own sample would be a jump.
@@ -130,7 +123,7 @@ TEST(Pivot, ADeepGripHoldsTheBlock) {
     PivotOptions options;
     options.grip = {{0.0, load}};
     options.duration = 0.2;
-    for (const PivotCase kind : {PivotCase::coupled, PivotCase::uncoupled, PivotCase::exact}) {
+    for (const PivotCase kind : cases) {
       options.kind = kind;
       Pivot pivot(options);
       while (pivot.step()) {
@@ -196,13 +189,13 @@ TEST(Pivot, NamesWhatIsWrongWithItsOptions) {
   const auto refused = [](auto change, const char* told) {
     PivotOptions options;
     change(options);
-    limitcurve::test::expect_mention(limitcurve::test::complaint([&] { Pivot{options}; }), told);
+    expect_mention(complaint([&] { Pivot{options}; }), told);
   };
   refused([](PivotOptions& o) { o.mass = 0.0; }, "mass");
   refused([](PivotOptions& o) { o.mu = -1.0; }, "mu");
   refused([](PivotOptions& o) { o.offset = 0.06; }, "offset");
   refused([](PivotOptions& o) { o.time_step = 0.0; }, "time_step");
-  refused([](PivotOptions& o) { o.stiffness = std::numeric_limits<double>::quiet_NaN(); }, "stiffness");
+  refused([](PivotOptions& o) { o.stiffness = nan; }, "stiffness");
   // Springs so soft that the block would hang below the grip, or upside down.
   refused([](PivotOptions& o) { o.stiffness = 24.0; }, "stiffness = 24 N/m");
   refused([](PivotOptions& o) { o.stiffness = 25.0; }, "none");

@@ -2,11 +2,7 @@
 // The god-object over recorded motions on surfaces that rest, are moved, or are free.
 #include "godobject/scene/replay.hpp"
 
-#include "tests/complaint.hpp"
 #include "tests/godobject/scene.hpp"
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
 
 namespace limitcurve::godobject::test::replay_test {
 namespace {
@@ -41,13 +37,12 @@ SceneContact moved(Replay& replay, double time, const DevicePose& finger, const 
 
 // On the plane at rest a replay is the finger itself, with every curve and projection.
 TEST(Replay, OnThePlaneAtRestIsTheFinger) {
-  for (const CurveKind kind : curve_kinds) {
-    for (const Projection projection : projections) {
-      if (kind == CurveKind::box && projection != Projection::closest_point) continue;
-      const std::string name = std::string(to_string(kind)) + ' ' + std::string(to_string(projection));
-      const ReplayOptions with = options(kind, projection);
+  for (const CurveChoice& choice : all_curves()) {
+    {
+      const std::string name = choice.name();
+      const ReplayOptions with = options(choice.kind, choice.projection);
       Replay replay(with);
-      SoftFinger finger(make_finger_curve(kind, with.law, with.tolerance), with.finger, projection);
+      SoftFinger finger(make_finger_curve(choice.kind, with.law, with.tolerance), with.finger, choice.projection);
       int slips = 0;
       double dissipated = 0.0;
       for (int i = 0; i <= 1000; ++i) {
@@ -117,7 +112,7 @@ TEST(Replay, NamesWhatIsWrongWithItsOptions) {
   const auto refused = [](auto change, const char* told) {
     ReplayOptions with = options();
     change(with);
-    limitcurve::test::expect_mention(limitcurve::test::complaint([&] { Replay{with}; }), told);
+    expect_mention(complaint([&] { Replay{with}; }), told);
   };
   refused([](ReplayOptions& with) { with.law = nullptr; }, "law");
   refused([](ReplayOptions& with) { with.fingers = 0; }, "fingers");

@@ -4,15 +4,7 @@
 #include "godobject/surfaces/join.hpp"
 #include "tests/godobject/random_scene.hpp"
 
-#include <gtest/gtest.h>
 #include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <vector>
 
 namespace limitcurve::godobject::test::join_test {
 namespace {

@@ -2,10 +2,7 @@
 #include "godobject/surfaces/surfaces.hpp"
 
 #include "tests/godobject/scene.hpp"
-#include "tests/repetitions.hpp"
 #include "tests/touch.hpp"
-
-#include <gtest/gtest.h>
 
 namespace limitcurve::godobject::test::surfaces_test {
 namespace {
@@ -24,7 +21,7 @@ constexpr int cells = repetitions(60, 15);
 /// Outside: the distance of `finger` from the nearest of many points of the solid, found by brute force.
 template <class Inside>
 double distance_by_search(const Vector3d& finger, double reach, Inside&& inside) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (int i = 0; i <= cells; ++i) {
     for (int j = 0; j <= cells; ++j) {
       for (int k = 0; k <= cells; ++k) {

@@ -2,14 +2,10 @@
 #pragma once
 
 #include "godobject/scene/passivity.hpp"
-#include "godobject/soft_finger.hpp"
 
 #include "tests/godobject/random_scene.hpp"
 
-#include <algorithm>
 #include <deque>
-#include <limits>
-#include <vector>
 
 /// What a user can win from a finger along a path of the device, and a search for the path that wins most.
 namespace limitcurve::godobject::test {

@@ -4,10 +4,6 @@
 // enough.
 #include "tests/godobject/scene/metamorphic/energy_search.hpp"
 
-#include "tests/repetitions.hpp"
-
-#include <gtest/gtest.h>
-
 namespace limitcurve::godobject::test::energy_search_test {
 namespace {
 
@@ -29,19 +25,38 @@ Reach reach_on(const AnySurface& surface, Random& random) {
           random.uniform(0.0, 1.0)};
 }
 
-Path random_path(const Reach& reach, Random& random) {
-  Path path;
-  for (std::size_t i = 0; i < poses; ++i) path.push_back(random_pose(reach, random));
-  return path;
-}
+/// What a search is for: paths of a finger within reach of a surface.
+struct Search {
+  SoftFinger finger;
+  const AnySurface& surface;
+  Reach reach;
+  Random& random;
 
-/// The sets of parameters without dampers, as they are, rough as sandpaper, and so rough that nothing slips.
-bool prepare(FingerParameters& finger, Random& random) {
-  if (finger.damping > 0.0) return false;
-  const double which = random.uniform(0.0, 1.0);
-  if (which < 0.3) finger.mu = 100.0;
-  if (which > 0.7 && finger.mu > 0.0) finger.mu = 1.67;
-  return true;
+  [[nodiscard]] DevicePose outside() const { return random_pose(reach, random, true); }
+  template <class Value>
+  double climb(int tries, Value&& value) const {
+    Path path;
+    for (std::size_t i = 0; i < poses; ++i) path.push_back(random_pose(reach, random));
+    return test::climb(path, reach, repetitions(tries), random, value);
+  }
+};
+
+/// Calls `body(search)` for the choices without dampers, as they are, rough as sandpaper, and so rough that nothing
+/// slips.
+template <class Body>
+void for_each_search(std::uint64_t seed, Body&& body) {
+  for_each_choice(seed, [&](const Choice& choice, Random& random) {
+    FingerParameters with = choice.parameters.finger;
+    if (with.damping > 0.0) return;
+    const double which = random.uniform(0.0, 1.0);
+    if (which < 0.3) with.mu = 100.0;
+    if (which > 0.7 && with.mu > 0.0) with.mu = 1.67;
+    const AnySurface& surface = choice.surface.surface;
+    body(Search{{make_finger_curve(choice.curve.kind, hertz(), 1e-8), with, choice.curve.projection},
+                surface,
+                reach_on(surface, random),
+                random});
+  });
 }
 
 // From outside into the surface and thrice round a loop, and out again: at no time has the user more than was put in.
@@ -50,15 +65,11 @@ TEST(EnergySearch, NoLoopWinsEnergy) {
   double best = -1.0;
   int slips = 0;
   int sticks = 0;
-  for_each_choice(21, [&](const Choice& choice, Random& random) {
-    FingerParameters with = choice.parameters.finger;
-    if (!prepare(with, random)) return;
-    const SoftFinger finger(make_finger_curve(choice.curve.kind, hertz(), 1e-8), with, choice.curve.projection);
-    const AnySurface& surface = choice.surface.surface;
-    const Reach reach = reach_on(surface, random);
-    const DevicePose outside = random_pose(reach, random, true);
+  for_each_search(21, [&](const Search& search) {
+    const AnySurface& surface = search.surface;
+    const DevicePose outside = search.outside();
     const auto round = [&](const Path& path) {
-      SlowUser user(finger);
+      SlowUser user(search.finger);
       user.move(surface, outside);
       double before = 0.0;
       double lost = 0.0;
@@ -79,7 +90,7 @@ TEST(EnergySearch, NoLoopWinsEnergy) {
       EXPECT_LE(user.won().beyond_rounding(), 0.0);
       return won + lost;
     };
-    best = std::max(best, climb(random_path(reach, random), reach, repetitions(300), random, round));
+    best = std::max(best, search.climb(300, round));
   });
   // The search finds loops that lose nothing.
   EXPECT_GT(best, -1e-12);
@@ -91,16 +102,12 @@ TEST(EnergySearch, NoLoopWinsEnergy) {
 // leaps across it. What is climbed for is the least loss.
 TEST(EnergySearch, EverySlipLosesWhatItSays) {
   int slips = 0;
-  for_each_choice(22, [&](const Choice& choice, Random& random) {
-    FingerParameters with = choice.parameters.finger;
-    if (!prepare(with, random)) return;
-    const SoftFinger finger(make_finger_curve(choice.curve.kind, hertz(), 1e-8), with, choice.curve.projection);
-    const AnySurface& surface = choice.surface.surface;
-    Reach reach = reach_on(surface, random);
-    if (random.uniform(0.0, 1.0) < 0.3) reach.depth = reach.aside = 0.025;
-    const DevicePose outside = random_pose(reach, random, true);
+  for_each_search(22, [&](Search search) {
+    const AnySurface& surface = search.surface;
+    if (search.random.uniform(0.0, 1.0) < 0.3) search.reach.depth = search.reach.aside = 0.025;
+    const DevicePose outside = search.outside();
     const auto gain = [&](const Path& path) {
-      SlowUser user(finger);
+      SlowUser user(search.finger);
       user.move(surface, outside);
       double most = -1e300;
       for (const DevicePose& pose : path) {
@@ -121,7 +128,7 @@ TEST(EnergySearch, EverySlipLosesWhatItSays) {
       }
       return most;
     };
-    climb(random_path(reach, random), reach, repetitions(300), random, gain);
+    search.climb(300, gain);
   });
   EXPECT_GT(slips, repetitions(10000));
 }
@@ -156,19 +163,15 @@ TEST(EnergySearch, OnASphereTheUserPutsInWhatIsDissipated) {
 // wins by the held moment at most ½ |M| |Δn| |Δθ| in a step.
 TEST(EnergySearch, TheDampingThatIsNamedIsEnough) {
   double best = -1.0;
-  for_each_choice(23, [&](const Choice& choice, Random& random) {
-    FingerParameters with = choice.parameters.finger;
-    if (!prepare(with, random)) return;
-    const SoftFinger finger(make_finger_curve(choice.curve.kind, hertz(), 1e-8), with, choice.curve.projection);
-    const AnySurface& surface = choice.surface.surface;
-    Reach reach = reach_on(surface, random);
-    const bool turns = random.uniform(0.0, 1.0) < 0.5;
-    if (!turns) reach.turn = 0.0;
-    const DevicePose outside = random_pose(reach, random, true);
-    const int delay = static_cast<int>(random.uniform(0.0, 2.999));
-    const DeviceDamping device = device_damping_needed(with, time_step, delay);
+  for_each_search(23, [&](Search search) {
+    const AnySurface& surface = search.surface;
+    const bool turns = search.random.below(2) == 0;
+    if (!turns) search.reach.turn = 0.0;
+    const DevicePose outside = search.outside();
+    const auto delay = static_cast<int>(search.random.below(3));
+    const DeviceDamping device = device_damping_needed(search.finger.parameters(), time_step, delay);
     const auto gain = [&](const Path& path) {
-      SampledUser user(finger, device, time_step, delay);
+      SampledUser user(search.finger, device, time_step, delay);
       user.move(surface, outside);
       double before = 0.0;
       for (int turn = 0; turn < 3; ++turn) {
@@ -180,7 +183,7 @@ TEST(EnergySearch, TheDampingThatIsNamedIsEnough) {
       }
       return user.won().work - before;
     };
-    best = std::max(best, climb(random_path(reach, random), reach, repetitions(200), random, gain));
+    best = std::max(best, search.climb(200, gain));
   });
   EXPECT_GT(best, -1e-12);
 }

@@ -5,11 +5,6 @@
 
 #include "tests/godobject/random_scene.hpp"
 
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <limits>
-
 /// Replays of two fingers in random scenes that must give the same output: on every surface, with every curve,
 /// projection and set of parameters.
 namespace limitcurve::godobject::test::metamorphic {

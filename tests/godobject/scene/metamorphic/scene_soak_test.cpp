@@ -6,7 +6,6 @@
 #include "godobject/body/grasp.hpp"
 #include "limitcurve/patch/patch.hpp"
 #include "tests/fuzz/step_check.hpp"
-#include "tests/repetitions.hpp"
 
 namespace limitcurve::godobject::test::scene_soak_test {
 namespace {
