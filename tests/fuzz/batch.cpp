@@ -66,7 +66,7 @@ void run(fuzz::Bytes bytes) {
 }  // namespace
 
 /// A batch of contacts in both precisions with arbitrary bits. Tests compare it with fingers on ordinary input.
-static const fuzz::Target batch_target("batch", [](const std::uint8_t* data, std::size_t size) {
-  run<double>({data, size});
-  run<float>({data, size});
+static const fuzz::Target batch_target("batch", [](std::string_view input) {
+  run<double>(fuzz::Bytes(input));
+  run<float>(fuzz::Bytes(input));
 });

@@ -7,10 +7,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,7 +21,7 @@ namespace limitcurve::fuzz {
 /// A target: what the program does with an input if its first argument is `name`, which is also the folder of the
 /// target's seeds.
 struct Target {
-  using Body = void (*)(const std::uint8_t* data, std::size_t size);
+  using Body = void (*)(std::string_view input);
   Target(std::string_view name, Body body) { all().emplace(name, body); }
   static std::map<std::string_view, Body>& all() {
     static std::map<std::string_view, Body> targets;
@@ -51,10 +49,6 @@ std::optional<std::string> complaint_of(Body&& body) {
   return std::nullopt;
 }
 
-inline std::string_view as_text(const std::uint8_t* data, std::size_t size) {
-  return {reinterpret_cast<const char*>(data), size};
-}
-
 /// Same bits, or both NaN.
 inline bool same(double one, double other) {
   return std::memcmp(&one, &other, sizeof one) == 0 || (one != one && other != other);
@@ -67,7 +61,7 @@ inline bool is_finite(double value) {
 /// Takes raw values off the front of an input.
 class Bytes {
  public:
-  Bytes(const std::uint8_t* data, std::size_t size) : rest_(data, size) {}
+  explicit Bytes(std::string_view input) : rest_(input) {}
 
   [[nodiscard]] std::size_t left() const { return rest_.size(); }
 
@@ -77,12 +71,12 @@ class Bytes {
     Value value{};
     const std::size_t count = rest_.size() < sizeof value ? rest_.size() : sizeof value;
     if (count > 0) std::memcpy(&value, rest_.data(), count);
-    rest_ = rest_.subspan(count);
+    rest_.remove_prefix(count);
     return value;
   }
 
  private:
-  std::span<const std::uint8_t> rest_;
+  std::string_view rest_;
 };
 
 /// A file whose contents can be replaced, for readers that open a file by its name.

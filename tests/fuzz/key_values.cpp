@@ -27,8 +27,7 @@ std::optional<std::string> read(std::string_view text, Grip& grip) {
 
 /// The lists of the command line, `from=2,to=0,target=30deg` and `0.25,0.5,1`: values within their ranges, or a
 /// complaint.
-static const fuzz::Target key_values_target("key_values", [](const std::uint8_t* data, std::size_t size) {
-  const std::string_view text = fuzz::as_text(data, size);
+static const fuzz::Target key_values_target("key_values", [](std::string_view text) {
   Grip grip;
   if (!read(text, grip)) {
     fuzz::require(grip.from > 0.0 && fuzz::is_finite(grip.from), "a key out of its range");

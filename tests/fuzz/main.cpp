@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   return 0;
 }
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  body_of_target(data, size);
+  body_of_target({reinterpret_cast<const char*>(data), size});
   return 0;
 }
 
@@ -46,10 +46,10 @@ int main(int argc, char** argv) {
   int count = 0;
   const auto run = [&count](const std::string& name, const std::string& bytes) {
     std::cout << name << std::endl;
-    body_of_target(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    body_of_target(bytes);
     ++count;
   };
-  body_of_target(nullptr, 0);
+  body_of_target({});
   if (std::filesystem::is_directory(argv[1])) {
     for (const auto& entry : std::filesystem::directory_iterator(argv[1])) {
       std::ifstream file(entry.path(), std::ios::binary);

@@ -40,9 +40,8 @@ void require_honest(const Patch& patch) {
 }  // namespace
 
 /// A patch: the first line is the argument; @ stands for a file with the rest. The result is an error or a valid patch.
-static const fuzz::Target patch_target("patch", [](const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target patch_target("patch", [](std::string_view text) {
   static fuzz::TemporaryFile file;
-  const std::string_view text = fuzz::as_text(data, size);
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string argument(text.substr(0, end));
   // Other files are none of its business, and laws have targets of their own (some take a second to project).

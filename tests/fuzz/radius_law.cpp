@@ -6,9 +6,9 @@
 using namespace limitcurve;
 
 /// The grammar of the radius laws: what it accepts is a power law that says so itself, and radii are positive.
-static const fuzz::Target radius_law_target("radius_law", [](const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target radius_law_target("radius_law", [](std::string_view text) {
   std::optional<RadiusLaw> law;
-  if (fuzz::complaint_of([&] { law = RadiusLaw::parse(fuzz::as_text(data, size)); })) return;
+  if (fuzz::complaint_of([&] { law = RadiusLaw::parse(text); })) return;
   fuzz::require(law->radius(1.0) > 0.0 && fuzz::is_finite(law->radius(1.0)), "a coefficient that is not a radius");
   fuzz::require(law->exponent() >= 0.0 && law->exponent() <= 1.0, "an exponent out of range");
   double last = 0.0;

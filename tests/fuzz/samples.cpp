@@ -6,30 +6,23 @@ using namespace limitcurve;
 
 /// Measured profiles, `samples:FILE` of a pressure law and of a radius law: a complaint that names the file, or an
 /// honest law.
-static const fuzz::Target samples_target("samples", [](const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target samples_target("samples", [](std::string_view text) {
   static fuzz::TemporaryFile file;
-  file.replace(fuzz::as_text(data, size));
+  file.replace(text);
   const std::string argument = "samples:" + file.path();
-  const auto names_file = [&](const std::string& complaint) {
-    return complaint.find(file.path()) != std::string::npos;
+  const auto is_refused = [&](const std::optional<std::string>& complaint) {
+    fuzz::require(!complaint || complaint->find(file.path()) != std::string::npos,
+                  "a complaint that does not name the file");
+    return complaint.has_value();
   };
 
   Law law;
-  const auto refused = fuzz::complaint_of([&] { law = cli::read_law(argument); });
-  if (refused) {
-    fuzz::require(names_file(*refused), "a complaint that does not name the file");
-  } else {
-    fuzz::require_honest(*law, fuzz::as_text(data, size));
-  }
+  if (!is_refused(fuzz::complaint_of([&] { law = cli::read_law(argument); }))) fuzz::require_honest(*law, text);
 
   std::optional<RadiusLaw> radius_law;
-  const auto radius_refused = fuzz::complaint_of([&] { radius_law = cli::read_radius_law(argument).of(0.6, 0.59); });
-  if (radius_refused) {
-    fuzz::require(names_file(*radius_refused), "a complaint that does not name the file");
-  } else {
-    for (const double load : {1e-3, 1.0, 7.0, 1e3}) {
-      fuzz::require(radius_law->radius(load) >= 0.0, "a radius below 0 or NaN");
-      fuzz::require(radius_law->load_of_product(load) >= 0.0, "a load below 0 or NaN");
-    }
+  if (is_refused(fuzz::complaint_of([&] { radius_law = cli::read_radius_law(argument).of(0.6, 0.59); }))) return;
+  for (const double load : {1e-3, 1.0, 7.0, 1e3}) {
+    fuzz::require(radius_law->radius(load) >= 0.0, "a radius below 0 or NaN");
+    fuzz::require(radius_law->load_of_product(load) >= 0.0, "a load below 0 or NaN");
   }
 });

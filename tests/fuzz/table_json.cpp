@@ -5,7 +5,7 @@
 using namespace limitcurve;
 
 /// Tables in JSON: a complaint, or a table that can be used.
-static const fuzz::Target table_json_target("table_json", [](const std::uint8_t* data, std::size_t size) {
-  fuzz::read_despite_checksum(std::string(fuzz::as_text(data, size)),
+static const fuzz::Target table_json_target("table_json", [](std::string_view input) {
+  fuzz::read_despite_checksum(std::string(input),
                               [](const std::string& text) { return cli::read_table_json(text, "source"); });
 });

@@ -58,11 +58,10 @@ void read(const std::string& file, std::size_t fingers, bool body_moves) {
 
 /// A trace of one or two fingers and a body (the first byte chooses), by twists or quaternions: finite poses and
 /// rotations of unit length, or a complaint that names the place; and the god-object replays it in finite numbers.
-static const fuzz::Target trace_target("trace", [](const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target trace_target("trace", [](std::string_view input) {
   static fuzz::TemporaryFile file;
-  fuzz::Bytes bytes(data, size);
-  const auto choice = bytes.take<std::uint8_t>();
-  file.replace(size > 0 ? fuzz::as_text(data + 1, size - 1) : std::string_view());
+  const auto choice = fuzz::Bytes(input).take<std::uint8_t>();
+  file.replace(input.substr(input.empty() ? 0 : 1));
   const auto complaint = fuzz::complaint_of([&] { read(file.path(), 1 + (choice & 1U), (choice & 2U) != 0); });
   if (complaint) fuzz::require(complaint->rfind(file.path() + ":", 0) == 0, "a complaint that does not name the place");
 });

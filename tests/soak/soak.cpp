@@ -56,7 +56,7 @@ int soak(std::map<std::string, std::string> settings) {
   std::string fault;
   while (steps < least_steps && fault.empty()) {
     for (std::uint8_t& byte : input) byte = static_cast<std::uint8_t>(random());
-    Bytes bytes(input.data(), input.size());
+    Bytes bytes({reinterpret_cast<const char*>(input.data()), input.size()});
     run_steps(bytes, [&](const godobject::SoftFinger& finger, const Sample& sample, const test::StepCheck& check) {
       if (samples.is_open() && steps % steps_per_sample == 0) write_sample(samples, finger, sample);
       ++steps;
