@@ -3,16 +3,10 @@
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
-#include "limitcurve/laws.hpp"
 #include "tests/complaint.hpp"
 #include "tests/fit/synthetic.hpp"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
 
 namespace limitcurve::fit::contact_fit_test {
 namespace {
@@ -22,21 +16,23 @@ using synthetic::Random;
 using synthetic::Truth;
 using Kind = ContactModel::Kind;
 
-double log_relative_error(double value, double truth) {
-  return -std::log10(std::fmax(std::fabs(value / truth - 1.0), 1e-17));
+/// To eight digits.
+void expect_recovered(double value, double truth, const std::string& what) {
+  EXPECT_LE(std::fabs(value / truth - 1.0), 1e-8) << what;
 }
 
 std::string refusal(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options = {}) {
   return test::complaint([&] { fit_contact(samples, model, options); });
 }
 
-/// A random truth and its curve; the shape parameter's name in the reports is `shape_name`.
+/// A random truth and its curve; `shape_name` is that of the shape parameter in the reports, if there is one.
 struct Draw {
   ContactModel model;
   Curve curve;
   Truth truth;
   double moment_ratio;
   double shape;
+  const char* shape_name = nullptr;
 };
 
 Draw draw(Kind kind, Random& random) {
@@ -57,25 +53,16 @@ Draw draw(Kind kind, Random& random) {
       break;
     case Kind::power:
       result.shape = random.uniform(-0.7, 5.0);
+      result.shape_name = "n";
       result.curve = law(power(result.shape));
       break;
     case Kind::xydas_kao:
       result.shape = random.uniform(0.9, 10.0);
+      result.shape_name = "k";
       result.curve = law(xydas_kao(result.shape));
       break;
   }
   return result;
-}
-
-const char* shape_name(Kind kind) {
-  switch (kind) {
-    case Kind::power:
-      return "n";
-    case Kind::xydas_kao:
-      return "k";
-    default:
-      return nullptr;
-  }
 }
 
 TEST(ContactFit, RecoversAHundredTruthsOfEveryModelToEightDigits) {
@@ -86,18 +73,11 @@ TEST(ContactFit, RecoversAHundredTruthsOfEveryModelToEightDigits) {
       const std::vector<Sample> samples = synthetic::clean(item.curve, item.truth, 40, random);
       const FitReport report = fit_contact(samples, item.model).report;
       EXPECT_TRUE(report.converged) << report.message;
-      EXPECT_GE(log_relative_error(report.estimates[0].value, item.truth.mu), 8.0) << item.model.name();
-      EXPECT_GE(log_relative_error(report.estimates[1].value, item.truth.mu * item.truth.radius * item.moment_ratio),
-                8.0)
-          << item.model.name();
-      if (const char* shape = shape_name(kind)) {
-        EXPECT_GE(log_relative_error(report.at(shape).value, item.shape), 8.0)
-            << item.model.name() << " " << item.shape;
-      }
-      if (kind == Kind::law || kind == Kind::power || kind == Kind::xydas_kao) {
-        EXPECT_GE(log_relative_error(report.at("radius").value, item.truth.radius), 8.0)
-            << item.model.name() << " " << item.shape;
-      }
+      const std::string what = item.model.name() + " " + std::to_string(item.shape);
+      expect_recovered(report.estimates[0].value, item.truth.mu, what);
+      expect_recovered(report.estimates[1].value, item.truth.mu * item.truth.radius * item.moment_ratio, what);
+      if (item.shape_name != nullptr) expect_recovered(report.at(item.shape_name).value, item.shape, what);
+      if (kind != Kind::ellipse) expect_recovered(report.at("radius").value, item.truth.radius, what);
     }
   }
 }
@@ -112,8 +92,8 @@ TEST(ContactFit, RecoversTheRadiusUnderEveryFormulaToEightDigits) {
     const Truth truth{0.7, 0.005};
     const std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(law), truth, 60, random);
     const FitReport report = fit_contact(samples, ContactModel::of(law)).report;
-    EXPECT_GE(log_relative_error(report.at("mu").value, truth.mu), 8.0) << text;
-    EXPECT_GE(log_relative_error(report.at("radius").value, truth.radius), 8.0) << text;
+    expect_recovered(report.at("mu").value, truth.mu, text);
+    expect_recovered(report.at("radius").value, truth.radius, text);
   }
 }
 
@@ -125,13 +105,12 @@ TEST(ContactFit, RecoversTheGrowthOfTheRadiusWithTheLoad) {
     ContactFitOptions options;
     options.fit_gamma = true;
     const FitReport free = fit_contact(samples, ContactModel::of(uniform()), options).report;
-    EXPECT_GE(log_relative_error(free.at("c").value, truth.radius), 8.0);
+    expect_recovered(free.at("c").value, truth.radius, "gamma is fitted");
     EXPECT_NEAR(free.at("gamma").value, truth.gamma, 1e-9);
     options.fit_gamma = false;
     options.gamma = truth.gamma;
-    EXPECT_GE(log_relative_error(fit_contact(samples, ContactModel::of(uniform()), options).report.at("c").value,
-                                 truth.radius),
-              8.0);
+    expect_recovered(fit_contact(samples, ContactModel::of(uniform()), options).report.at("c").value, truth.radius,
+                     "gamma is given");
   }
 }
 
@@ -167,7 +146,7 @@ TEST(ContactFit, RefusesByNameWhatTheSamplesCannotTell) {
 
   // One point of the curve, over and over: only a combination of the two limits is known.
   const std::vector<Sample> repeated(30, {1.0, 0.4, 0.001});
-  EXPECT_NE(refusal(repeated, law).find("not identifiable"), std::string::npos) << refusal(repeated, law);
+  test::expect_mention(refusal(repeated, law), "not identifiable");
 
   // Loads that hardly differ say nothing of the growth.
   std::vector<Sample> alike = good;
@@ -184,8 +163,7 @@ TEST(ContactFit, RefusesByNameWhatTheSamplesCannotTell) {
   std::vector<Sample> ends;
   for (int i = 0; i < 20; ++i) ends.push_back(i % 2 == 0 ? Sample{1.0, 0.7, 0.0} : Sample{1.0, 0.0, 0.0016});
   EXPECT_EQ(refusal(ends, law), "none");
-  EXPECT_NE(refusal(ends, {Kind::power}).find("not identifiable from these samples: n"), std::string::npos)
-      << refusal(ends, {Kind::power});
+  test::expect_mention(refusal(ends, {Kind::power}), "not identifiable from these samples: n");
 }
 
 /// Slips about centres of rotation at 0.6 radii, spread by so much of it. Noise once passed for a spread: mu 1.009 +-
@@ -206,8 +184,8 @@ TEST(ContactFit, SlipsAboutOneCentreOfRotationAreRefusedAndASpreadIsNot) {
   for (const bool tell : {true, false}) {
     Random random(9);
     for (int i = 0; i < 10; ++i) {
-      const std::string text = refusal(slips_about(0.0, 0.01, tell, random), ContactModel::of(hertz()));
-      EXPECT_NE(text.find("one centre of rotation"), std::string::npos) << text;
+      test::expect_mention(refusal(slips_about(0.0, 0.01, tell, random), ContactModel::of(hertz())),
+                           "one centre of rotation");
       EXPECT_EQ(refusal(slips_about(0.1, 0.01, tell, random), ContactModel::of(hertz())), "none");
     }
   }
@@ -278,7 +256,7 @@ TEST(ContactFit, WarnsOfARadiusLargerThanTheFinger) {
   const std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), {0.5, 0.0125}, 30, random);
   const FitReport report = fit_contact(samples, ContactModel::of(hertz())).report;
   ASSERT_EQ(report.warnings.size(), 1u);
-  EXPECT_NE(report.warnings[0].find("12.5 mm, more than the finger's 8 mm"), std::string::npos) << report.warnings[0];
+  test::expect_mention(report.warnings[0], "12.5 mm, more than the finger's 8 mm");
 }
 
 TEST(LawSelection, OfPerfectFitsGivesTheOneWithFewerParametersAndSaysSo) {
@@ -287,10 +265,7 @@ TEST(LawSelection, OfPerfectFitsGivesTheOneWithFewerParametersAndSaysSo) {
       Random random(9);
       std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(law), {0.7, 0.004}, 40, random);
       for (Sample& sample : samples) {
-        if (tell) {
-          sample.sigma_force = 0.01 * sample.load;
-          sample.sigma_moment = 3e-5 * sample.load;
-        }
+        if (tell) sample.sigma_force = 0.01 * sample.load, sample.sigma_moment = 3e-5 * sample.load;
       }
       const LawSelection selection = select_law(samples);
       const ContactFit& best = selection.candidates.front();
@@ -298,7 +273,7 @@ TEST(LawSelection, OfPerfectFitsGivesTheOneWithFewerParametersAndSaysSo) {
       if (!tell) {
         // Every one of these laws is a member of the family p ∝ (1−ρ²)ⁿ.
         ASSERT_EQ(best.report.warnings.size(), 1u) << best.model;
-        EXPECT_NE(best.report.warnings[0].find("and so does power"), std::string::npos) << best.report.warnings[0];
+        test::expect_mention(best.report.warnings[0], "and so does power");
         EXPECT_GT(selection.aic_difference[1], 0.0);
       }
     }
@@ -314,9 +289,7 @@ TEST(ContactFit, SaysWhichLawsTheDataCannotTell) {
   ASSERT_EQ(unclear.candidates.size(), 8u);
   EXPECT_EQ(unclear.aic_difference[0], 0.0);
   EXPECT_LT(unclear.aic_difference[1], 2.0);
-  const auto& warnings = unclear.candidates[0].report.warnings;
-  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
-                          [](const std::string& w) { return w.find("cannot distinguish") != std::string::npos; }));
+  EXPECT_TRUE(synthetic::warns(unclear.candidates[0].report, "cannot distinguish"));
 
   // With errors of 0.05 % flat punch and Hertz are worlds apart.
   std::vector<Sample> sharp = synthetic::clean(synthetic::curve_of(flat_punch()), truth, 200, random);

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "fit/internal/contact_residuals.hpp"
 
-#include "limitcurve/laws.hpp"
 #include "tests/fit/synthetic.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
-#include <vector>
 
 namespace limitcurve::fit::internal {
 namespace {

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fit/contact_fit.hpp"
 #include "tests/fit/synthetic.hpp"
 
-#include <cmath>
 #include <map>
-#include <string>
-#include <vector>
 
 namespace limitcurve::fit::synthetic {
 
@@ -62,7 +58,7 @@ inline std::map<std::string, Honesty> study(const ContactModel& model, const Law
       const double error = estimate.value - truths.at(estimate.name);
       Honesty& honesty = result[estimate.name];
       honesty.bias += error;
-      honesty.coverage += std::fabs(error) <= 1.959964 * estimate.std_error ? 1.0 : 0.0;
+      honesty.coverage += holds(estimate, truths.at(estimate.name)) ? 1.0 : 0.0;
       honesty.std_error += estimate.std_error;
       honesty.scatter += error * error;
     }

@@ -4,8 +4,6 @@
 // The README of fit/ quotes its output. About 2 ms a seed and row.
 #include "tests/fit/coverage.hpp"
 
-#include "limitcurve/laws.hpp"
-
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Limits from a log without marks: rows on the way to the limit, holds, slips; of each contact by one grip.
-#include "fit/contact_fit.hpp"
 
-#include "limitcurve/laws.hpp"
 #include "tests/complaint.hpp"
 #include "tests/fit/synthetic.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace limitcurve::fit {
 namespace {

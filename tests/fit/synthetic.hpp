@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fit/measurements.hpp"
-#include "limitcurve/pressure_law.hpp"
+#include "fit/contact_fit.hpp"
+#include "limitcurve/laws.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace limitcurve::fit::synthetic {
@@ -54,6 +56,17 @@ inline std::vector<Sample> clean(const Curve& curve, const Truth& truth, std::si
                        truth.mu * load * truth.radius * std::pow(load, truth.gamma) * wrench.moment});
   }
   return samples;
+}
+
+/// Whether an estimate is within so many of its standard errors, 95 % of them as a rule, of the truth.
+inline bool holds(const Estimate& estimate, double truth, double standard_errors = 1.959964) {
+  return std::fabs(estimate.value - truth) <= standard_errors * estimate.std_error;
+}
+
+/// Whether one of its warnings has these words.
+inline bool warns(const FitReport& report, const std::string& words) {
+  return std::any_of(report.warnings.begin(), report.warnings.end(),
+                     [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
 }
 
 /// Adds Gaussian errors of `relative` times the limits μP and μ_rP, and optionally sets the sigmas.
