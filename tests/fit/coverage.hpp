@@ -27,12 +27,12 @@ inline std::map<std::string, Honesty> study(const ContactModel& model, const Law
                                             bool tell, int seeds, int& blanks, const Loss& loss = {},
                                             Outliers outliers = Outliers::none, double moment_noise = 1.0) {
   const Truth truth{0.8, 0.005};
-  const double mu_r = truth.mu * truth.radius * law->moment_ratio();
+  const double mu_r = truth.mu_r(law);
   const std::map<std::string, double> truths{{"mu", truth.mu},         {"mu_r", mu_r},      {"ratio", mu_r / truth.mu},
                                              {"radius", truth.radius}, {"n", shape},        {"k", shape},
                                              {"force_max", truth.mu},  {"moment_max", mu_r}};
   Random loads(5);
-  const std::vector<Sample> exact = clean(curve_of(law), truth, 100, loads);
+  const std::vector<Sample> exact = clean(law, truth, 100, loads);
   std::map<std::string, Honesty> result;
   blanks = 0;
   for (int seed = 0; seed < seeds; ++seed) {
@@ -45,9 +45,7 @@ inline std::map<std::string, Honesty> study(const ContactModel& model, const Law
       samples[i].force *= factor;
       samples[i].moment *= factor;
     }
-    ContactFitOptions options;
-    options.loss = loss;
-    const FitReport report = fit_contact(samples, model, options).report;
+    const FitReport report = fit_contact(samples, model, {.loss = loss}).report;
     bool blank = false;
     for (const Estimate& estimate : report.estimates) blank = blank || !std::isfinite(estimate.std_error);
     if (blank) {

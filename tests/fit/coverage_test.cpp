@@ -34,11 +34,11 @@ TEST(Coverage, LimitsAndRadiusWithErrorsThatAreKnownOrFoundFromTheScatter) {
 void expect_honest_at_the_end(const ContactModel& model, const Law& law, double gamma, const std::string& at_end) {
   constexpr int seeds = repetitions(100, 50);
   const synthetic::Truth truth{0.8, 0.005, gamma};
-  const double mu_r = truth.mu * truth.radius * law->moment_ratio();
+  const double mu_r = truth.mu_r(law);
   ContactFitOptions options;
   options.fit_gamma = at_end == "gamma";
   synthetic::Random loads(5);
-  const std::vector<Sample> exact = synthetic::clean(synthetic::curve_of(law), truth, 100, loads);
+  const std::vector<Sample> exact = synthetic::clean(law, truth, 100, loads);
   std::map<std::string, int> held;
   int ended = 0;
   for (int seed = 0; seed < seeds; ++seed) {

@@ -39,7 +39,7 @@ DataSet data_set(int seed, double gamma) {
               laws[static_cast<std::size_t>(seed) % laws.size()],
               {}};
   const Law law = parse_law(set.law);
-  set.samples = synthetic::clean(synthetic::curve_of(law), set.truth, 120, random);
+  set.samples = synthetic::clean(law, set.truth, 120, random);
   constexpr double noise = 0.02;
   for (Sample& sample : set.samples) {
     const double mu_r = set.truth.mu * set.truth.radius * law->moment_ratio() * std::pow(sample.load, gamma);
@@ -74,12 +74,12 @@ TEST(LawChoice, ATruthOutsideTheLawsIsWithinTheStatedErrorsOrWarnedOf) {
   for (const char* name : {"mix:0.5*gaussian:sigma=0.2+0.5*flat-punch", "mix:0.3*gaussian:sigma=0.1+0.7*uniform"}) {
     const Law law = parse_law(name);
     const Truth truth{0.7, 0.005};
-    const double mu_r = truth.mu * truth.radius * law->moment_ratio();
+    const double mu_r = truth.mu_r(law);
     int held = 0;
     int warned = 0;
     for (int seed = 0; seed < sets; ++seed) {
       Random random(static_cast<std::uint64_t>(9000 + seed));
-      std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(law), truth, 100, random);
+      std::vector<Sample> samples = synthetic::clean(law, truth, 100, random);
       synthetic::disturb(samples, 0.02, truth.mu, mu_r, seed % 2 == 0, random);
       const FitReport report = select_law(samples).candidates.front().report;
       const Estimate& found = report.at("mu_r");

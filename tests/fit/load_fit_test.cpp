@@ -6,6 +6,7 @@
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 namespace limitcurve::fit {
 namespace {
@@ -53,29 +54,21 @@ TEST(LoadFit, StandardErrorsAreThoseOfARegressionLine) {
   // In logarithms and without sigmas this is a straight line: compare with its textbook standard errors.
   Random random(3);
   const LoadSamples samples = make(LoadSamples::Quantity::radius, 3e-3, 0.2, 0.05, false, 25, random);
-  const auto n = static_cast<double>(samples.samples.size());
-  double x = 0.0;
-  double y = 0.0;
-  for (const LoadSamples::Row& s : samples.samples) {
-    x += std::log(s.load) / n;
-    y += std::log(s.value) / n;
+  const auto count = static_cast<Eigen::Index>(samples.samples.size());
+  Eigen::MatrixX2d places(count, 2);
+  Eigen::VectorXd values(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const LoadSamples::Row& row = samples.samples[static_cast<std::size_t>(i)];
+    places.row(i) << 1.0, std::log(row.load);
+    values[i] = std::log(row.value);
   }
-  double xx = 0.0;
-  double xy = 0.0;
-  for (const LoadSamples::Row& s : samples.samples) {
-    xx += std::pow(std::log(s.load) - x, 2);
-    xy += (std::log(s.load) - x) * (std::log(s.value) - y);
-  }
-  const double slope = xy / xx;
-  double squares = 0.0;
-  for (const LoadSamples::Row& s : samples.samples)
-    squares += std::pow(std::log(s.value) - y - slope * (std::log(s.load) - x), 2);
-  const double variance = squares / (n - 2.0);
+  const Eigen::Vector2d line = places.colPivHouseholderQr().solve(values);
+  const double variance = (values - places * line).squaredNorm() / static_cast<double>(count - 2);
+  const Eigen::Matrix2d squares = variance * (places.transpose() * places).inverse();
   const FitReport report = fit_load(samples, LoadModel::power).report;
-  EXPECT_NEAR(report.at("gamma").value, slope, 1e-10);
-  EXPECT_NEAR(report.at("gamma").std_error, std::sqrt(variance / xx), 1e-10);
-  const double relative = report.at("c").std_error / report.at("c").value;
-  EXPECT_NEAR(relative, std::sqrt(variance * (1.0 / n + x * x / xx)), 1e-10);
+  EXPECT_NEAR(report.at("gamma").value, line[1], 1e-10);
+  EXPECT_NEAR(report.at("gamma").std_error, std::sqrt(squares(1, 1)), 1e-10);
+  EXPECT_NEAR(report.at("c").std_error / report.at("c").value, std::sqrt(squares(0, 0)), 1e-10);
 }
 
 TEST(LoadFit, RobustLossOutlivesGrossOutliers) {

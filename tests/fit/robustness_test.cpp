@@ -40,16 +40,14 @@ struct Within {
 Within one_gross_outlier(const Setting& setting, const ContactModel& model, int sets) {
   Within within;
   const Truth truth{0.8, 0.005};
-  const double mu_r = truth.mu * truth.radius * hertz()->moment_ratio();
+  const double mu_r = truth.mu_r(hertz());
   for (int seed = 0; seed < sets; ++seed) {
     Random random(static_cast<std::uint64_t>(7000 + seed));
-    std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), truth, setting.rows, random);
+    std::vector<Sample> samples = synthetic::clean(hertz(), truth, setting.rows, random);
     synthetic::disturb(samples, 0.02, truth.mu, mu_r, setting.with_sigma, random);
     const auto row = static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(setting.rows)));
     spoil(samples[row], seed, seed % 2 == 0 ? 10.0 : 0.1);
-    ContactFitOptions options;
-    options.loss = setting.loss;
-    const FitReport report = fit_contact(samples, model, options).report;
+    const FitReport report = fit_contact(samples, model, {.loss = setting.loss}).report;
     within.mu += synthetic::holds(report.at("mu"), truth.mu, 3.0);
     within.ratio += synthetic::holds(report.at("ratio"), mu_r / truth.mu, 3.0);
     within.radius += synthetic::holds(report.at("radius"), truth.radius, 3.0);
@@ -81,7 +79,7 @@ TEST(Robustness, OneGrossErrorLeavesEstimatesWithinThreeStandardErrors) {
 TEST(Robustness, GrossErrorsDoNotWidenTheStandardErrors) {
   constexpr int sets = 20;
   const Truth truth{0.7, 0.006};
-  const double mu_r = truth.mu * truth.radius * hertz()->moment_ratio();
+  const double mu_r = truth.mu_r(hertz());
   for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
     ContactFitOptions options;
     options.loss = loss;
@@ -89,7 +87,7 @@ TEST(Robustness, GrossErrorsDoNotWidenTheStandardErrors) {
     double with = 0.0;
     for (int seed = 0; seed < sets; ++seed) {
       Random random(static_cast<std::uint64_t>(900 + seed));
-      std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), truth, 60, random);
+      std::vector<Sample> samples = synthetic::clean(hertz(), truth, 60, random);
       synthetic::disturb(samples, 0.02, truth.mu, mu_r, false, random);
       without += fit_contact(samples, ContactModel::of(hertz()), options).report.at("mu").std_error;
       for (std::size_t row = 5; row < 60; row += 10) spoil(samples[row], 2, 6.0);
@@ -105,9 +103,9 @@ TEST(Robustness, GrossErrorsDoNotWidenTheStandardErrors) {
 double worst_percent(const ContactModel& model, const Loss& loss, std::size_t rows, std::size_t outliers, double factor,
                      bool with_sigma, std::uint64_t seed) {
   const Truth truth{0.8, 0.005};
-  const double mu_r = truth.mu * truth.radius * hertz()->moment_ratio();
+  const double mu_r = truth.mu_r(hertz());
   Random random(seed);
-  std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), truth, rows, random);
+  std::vector<Sample> samples = synthetic::clean(hertz(), truth, rows, random);
   synthetic::disturb(samples, 0.02, truth.mu, mu_r, with_sigma, random);
   for (std::size_t i = 0; i < outliers; ++i) spoil(samples[(7 * i + seed) % rows], static_cast<int>(i), factor);
   ContactFitOptions options;
@@ -169,7 +167,7 @@ TEST(Robustness, DefaultScalesCostFivePercentOfEfficiency) {
 /// Slips about random centres at 1 N and `few` more at 3 N, which alone tell gamma.
 std::vector<Sample> at_two_loads(int many, int few, bool tell, Random& random) {
   const Truth truth{0.8, 0.005, 0.26};
-  const double mu_r = truth.mu * truth.radius * hertz()->moment_ratio();
+  const double mu_r = truth.mu_r(hertz());
   const synthetic::Curve curve = synthetic::curve_of(hertz());
   std::vector<Sample> samples;
   for (int i = 0; i < many + few; ++i) {
@@ -225,9 +223,7 @@ TEST(Robustness, PureSlidesAndPureTwistsInUnequalNumbersAreNoSingleCentre) {
           samples.push_back(sample);
         }
         samples.push_back({3.0, 0.0, 0.0, samples[0].sigma_force, samples[0].sigma_moment});  // a resting finger
-        ContactFitOptions options;
-        options.loss = loss;
-        const FitReport report = fit_contact(samples, ContactModel::of(hertz()), options).report;
+        const FitReport report = fit_contact(samples, ContactModel::of(hertz()), {.loss = loss}).report;
         EXPECT_NEAR(report.at("mu").value, 0.8, 4.0 * report.at("mu").std_error) << slides;
         EXPECT_NEAR(report.at("mu_r").value, 0.0024, 4.0 * report.at("mu_r").std_error) << slides;
         EXPECT_GT(report.at("mu_r").std_error, 0.0024 * 0.01 / std::sqrt(twists));
@@ -243,12 +239,10 @@ TEST(Robustness, ALongHoldIsLeftOutAndNamed) {
     for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
       Random random(41);
       const Truth truth{0.8, 0.005};
-      std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), truth, 60, random);
+      std::vector<Sample> samples = synthetic::clean(hertz(), truth, 60, random);
       for (int i = 0; i < 300; ++i) samples.push_back({3.0, 0.6 * 1.7, 0.6 * 4.4e-3});
-      synthetic::disturb(samples, 0.01, truth.mu, truth.mu * truth.radius * hertz()->moment_ratio(), tell, random);
-      ContactFitOptions options;
-      options.loss = loss;
-      const ContactFit fit = fit_contact(samples, ContactModel::of(hertz()), options);
+      synthetic::disturb(samples, 0.01, truth.mu, truth.mu_r(hertz()), tell, random);
+      const ContactFit fit = fit_contact(samples, ContactModel::of(hertz()), {.loss = loss});
       const Estimate& mu = fit.report.at("mu");
       EXPECT_NEAR(mu.value, 0.8, 3.5 * mu.std_error);
       EXPECT_LT(mu.std_error, 0.004);

@@ -43,6 +43,8 @@ struct Truth {
   double mu;
   double radius;
   double gamma = 0.0;  ///< radius = radius(1 N)·P^gamma
+
+  [[nodiscard]] double mu_r(const Law& law) const { return mu * radius * law->moment_ratio(); }
 };
 
 /// `count` samples spread over the curve from near pure twist to near pure slide, at random loads, without noise.
@@ -56,6 +58,10 @@ inline std::vector<Sample> clean(const Curve& curve, const Truth& truth, std::si
                        truth.mu * load * truth.radius * std::pow(load, truth.gamma) * wrench.moment});
   }
   return samples;
+}
+
+inline std::vector<Sample> clean(const Law& law, const Truth& truth, std::size_t count, Random& random) {
+  return clean(curve_of(law), truth, count, random);
 }
 
 /// Whether an estimate is within so many of its standard errors, 95 % of them as a rule, of the truth.
