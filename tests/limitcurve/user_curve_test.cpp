@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A user's own limit curve and law as a table: what is no limit curve is refused with the requirement that it breaks.
 
+#include "tests/function_law.hpp"
 #include "tests/limitcurve/shared.hpp"
 
 namespace limitcurve::test {
@@ -61,17 +62,9 @@ TEST(OwnCurve, IsToldWhichRequirementItBreaks) {
   }
 }
 
-class Ring final : public PressureLawOf<Ring> {
- public:
-  [[nodiscard]] std::string name() const override { return "ring"; }
-  template <class Real>
-  [[nodiscard]] Real pressure(RadialPosition<Real> at) const noexcept {
-    return 2 * at.radius * at.radius;
-  }
-};
-
 TEST(OwnLaw, TakesOptions) {
-  const std::shared_ptr<Ring> ring = std::make_shared<Ring>();
+  const Law ring = std::make_shared<FunctionLaw>(
+      "ring", [](Extended rho) { return 2 * rho * rho; }, std::vector<Extended>{0, 1});
   EXPECT_LE(Table::build(ring, 1e-8, {.preferred_bytes = 8192}).bytes(), 8192U);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "patch_cases.hpp"
+#include "tests/function_law.hpp"
 
 #include <boost/math/special_functions/ellint_2.hpp>
 
@@ -54,31 +55,21 @@ TEST(PatchEllipse, OtherLawsAreTheIntegralOverRays) {
 }
 
 /// A law of the user, whatever it is called: 2ρ², or 0.5 and then 1.5 beyond ρ² = 0.5, a jump.
-class Own final : public PressureLawOf<Own> {
- public:
-  Own(std::string name, bool jumps) : name_(std::move(name)), jumps_(jumps) {}
-  [[nodiscard]] std::string name() const override { return name_; }
-  [[nodiscard]] const std::vector<Extended>& breaks() const noexcept override {
-    static const std::vector<Extended> jump{0, std::sqrt(Extended(0.5)), 1};
-    return jumps_ ? jump : PressureLaw::breaks();
+Law own_law(const std::string& name, bool jumps) {
+  if (jumps) {
+    return std::make_shared<FunctionLaw>(
+        name, [](Extended rho) { return rho * rho < Extended(0.5) ? Extended(0.5) : Extended(1.5); },
+        std::vector<Extended>{0, std::sqrt(Extended(0.5)), 1});
   }
-  template <class Real>
-  [[nodiscard]] Real pressure(RadialPosition<Real> at) const noexcept {
-    const Real square = at.radius * at.radius;
-    if (jumps_) return square < Real(0.5) ? Real(0.5) : Real(1.5);
-    return 2 * square;
-  }
-
- private:
-  std::string name_;
-  bool jumps_;
-};
+  return std::make_shared<FunctionLaw>(
+      name, [](Extended rho) { return 2 * rho * rho; }, std::vector<Extended>{0, 1});
+}
 
 TEST(PatchEllipse, ALawIsItsNumbersNotItsName) {
   for (const bool jumps : {false, true}) {
-    const Patch own = Patch::ellipse(std::make_shared<Own>("own", jumps), 0.005, 0.004);
+    const Patch own = Patch::ellipse(own_law("own", jumps), 0.005, 0.004);
     for (const char* name : {"hertz", "flat-punch", "uniform", "cone", "power:mine"}) {
-      const Patch named = Patch::ellipse(std::make_shared<Own>(name, jumps), 0.005, 0.004);
+      const Patch named = Patch::ellipse(own_law(name, jumps), 0.005, 0.004);
       EXPECT_EQ(named.moment_ratio(), own.moment_ratio()) << name;
       for (const PatchTwist& twist : twists(0.005, 10, -1.0, 1.0)) {
         const PatchFriction friction = named.about_origin(twist);
@@ -86,7 +77,7 @@ TEST(PatchEllipse, ALawIsItsNumbersNotItsName) {
         EXPECT_GE(friction.error, accuracy::patch_ellipse_other) << name;
       }
     }
-    const auto law = std::make_shared<Own>("hertz", jumps);
+    const auto law = own_law("hertz", jumps);
     EXPECT_NEAR(Patch::ellipse(law, 1.0, 1.0).moment_ratio(), law->moment_ratio(), 1e-12);
   }
 }

@@ -221,11 +221,7 @@ TEST(PatchOrthotropic, TwistsOfAnySizeGiveTheSameWrench) {
                                std::ldexp(twist.omega, exponent)};
         const PatchFriction exact = points_by_sum(loads, usual, {0, 0}, mx, my);
         const PatchFriction friction = patch.about_origin(twist);
-        EXPECT_LE(std::hypot(friction.wrench.fx - exact.wrench.fx, friction.wrench.fy - exact.wrench.fy),
-                  friction.error)
-            << size;
-        EXPECT_LE(std::fabs(friction.wrench.moment - exact.wrench.moment), friction.error * patch.moment_ratio())
-            << size;
+        EXPECT_LE(test::difference(friction.wrench, exact.wrench, patch.moment_ratio()), friction.error) << size;
         EXPECT_EQ(friction.power, static_cast<double>(std::ldexp(patch.about_origin(usual).power, -exponent))) << size;
       }
     }

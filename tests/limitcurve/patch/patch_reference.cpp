@@ -280,10 +280,13 @@ PatchFriction image_by_squares(std::span<const double> pressures, std::size_t co
   return sum;
 }
 
+double difference(const PatchWrench& one, const PatchWrench& other, double moment_ratio) {
+  return std::max(std::hypot(one.fx - other.fx, one.fy - other.fy),
+                  std::fabs(one.moment - other.moment) / moment_ratio);
+}
+
 double difference(const PatchFriction& one, const PatchFriction& other, double moment_ratio) {
-  return std::max({std::fabs(one.power / other.power - 1.0),
-                   std::hypot(one.wrench.fx - other.wrench.fx, one.wrench.fy - other.wrench.fy),
-                   std::fabs(one.wrench.moment - other.wrench.moment) / moment_ratio});
+  return std::max(std::fabs(one.power / other.power - 1.0), difference(one.wrench, other.wrench, moment_ratio));
 }
 
 }  // namespace limitcurve::test

@@ -25,6 +25,8 @@ PatchFriction ellipse_by_rays(const PressureLaw& law, double a, double b, const 
 PatchFriction image_by_squares(std::span<const double> pressures, std::size_t columns, double pixel,
                                const PatchTwist& twist);
 
+/// The larger of |ΔF| and |ΔM|/m₀.
+double difference(const PatchWrench& one, const PatchWrench& other, double moment_ratio);
 /// The largest of the power's relative error, |ΔF| and |ΔM|/m₀.
 double difference(const PatchFriction& one, const PatchFriction& other, double moment_ratio);
 

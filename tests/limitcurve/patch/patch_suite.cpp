@@ -172,8 +172,10 @@ TEST_P(EveryPatch, SlipIsTheTwistThatNeedsTheWrench) {
       EXPECT_LE(size(patch, apart), std::max(1e-8, 10.0 * bound) * size(patch, twist))
           << name << ' ' << twist.vx << ' ' << twist.omega;
       const PatchWrench again = patch.about_origin(slip).wrench;
-      EXPECT_LE(std::hypot(again.fx - wrench.fx / gauge, again.fy - wrench.fy / gauge), error) << name;
-      EXPECT_LE(std::fabs(again.moment - wrench.moment / gauge), error * patch.moment_ratio()) << name;
+      EXPECT_LE(
+          test::difference(again, {wrench.fx / gauge, wrench.fy / gauge, wrench.moment / gauge}, patch.moment_ratio()),
+          error)
+          << name;
       EXPECT_LE(error, 1e-9 + 10.0 * bound + 2.0 * needed.error) << name;
     }
   }
@@ -295,10 +297,9 @@ TEST(PatchOrigin, StatedErrorsHoldFarAwayAndForSlimPixels) {
   const auto expect_same = [](const PatchFriction& one, const PatchFriction& other, PatchPoint lever, double m0) {
     const double error = one.error + other.error;
     EXPECT_LE(std::fabs(one.power / other.power - 1.0), error);
-    EXPECT_LE(std::hypot(one.wrench.fx - other.wrench.fx, one.wrench.fy - other.wrench.fy), error);
-    EXPECT_LE(
-        std::fabs(one.wrench.moment - other.wrench.moment - lever.x * other.wrench.fy + lever.y * other.wrench.fx),
-        error * m0);
+    PatchWrench moved = other.wrench;
+    moved.moment += lever.x * moved.fy - lever.y * moved.fx;
+    EXPECT_LE(test::difference(one.wrench, moved, m0), error);
   };
   for (const double off : {0.0, 3.0, 1000.0, 65536.0}) {
     std::vector<PatchPoint> near{{0, 0}, {4, 0}, {4, 0.75}, {1, 1}, {1.25, 3}, {0, 3}};

@@ -2,6 +2,7 @@
 #include "limitcurve/patch/patch_table.hpp"
 
 #include "limitcurve/patch/half_spaces.hpp"
+#include "patch_reference.hpp"
 #include "tests/limitcurve/shared.hpp"
 
 /// Tables of patches against the patches, whose own tests compare them with independent sums.
@@ -77,9 +78,7 @@ Patch random_patch(Random& random) {
 
 /// The largest of |ΔF| and |ΔM|/m₀.
 double apart(const Patch& one, const Patch& other, const Twist& twist) {
-  const PatchWrench a = one.wrench(twist.of(one));
-  const PatchWrench b = other.wrench(twist.of(one));
-  return std::max(std::hypot(a.fx - b.fx, a.fy - b.fy), std::fabs(a.moment - b.moment) / one.moment_ratio());
+  return test::difference(one.wrench(twist.of(one)), other.wrench(twist.of(one)), one.moment_ratio());
 }
 
 /// The finest tolerance that the refusal of `build` names; 0 if it names none.
@@ -130,10 +129,9 @@ TEST(PatchTable, TheWrenchIsContinuousWhereFacesMeet) {
     q[axis] += step;
     r[(axis + 1) % 3] *= 1.0 + step;
     EXPECT_LE(apart(table, table, {q[0], q[1], q[2]}), 0.0);
-    const PatchWrench a = table.wrench(Twist{q[0], q[1], q[2]}.of(table));
-    const PatchWrench b = table.wrench(Twist{r[0], r[1], r[2]}.of(table));
-    EXPECT_LE(std::hypot(a.fx - b.fx, a.fy - b.fy), 1e-7);
-    EXPECT_LE(std::fabs(a.moment - b.moment), 1e-7 * table.moment_ratio());
+    EXPECT_LE(test::difference(table.wrench(Twist{q[0], q[1], q[2]}.of(table)),
+                               table.wrench(Twist{r[0], r[1], r[2]}.of(table)), table.moment_ratio()),
+              1e-7);
   }
 }
 
