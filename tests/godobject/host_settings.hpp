@@ -5,9 +5,7 @@
 
 #include <cfenv>
 #include <functional>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 #if defined(__SSE2__)
 #include <xmmintrin.h>
@@ -15,46 +13,39 @@
 
 namespace limitcurve::godobject::test {
 
-/// What a host may set, while it lives.
-class Setting {
- public:
-  virtual ~Setting() = default;
-};
-
-class Rounding final : public Setting {
- public:
-  explicit Rounding(int how) { EXPECT_EQ(std::fesetround(how), 0); }
-  ~Rounding() override { std::fesetround(FE_TONEAREST); }
-};
-
-#if defined(__SSE2__)
-class NoSubnormals final : public Setting {
- public:
-  NoSubnormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }  // FTZ and DAZ
-  ~NoSubnormals() override { _mm_setcsr(before_); }
-
- private:
-  unsigned before_;
-};
-#endif
-
-struct NamedSetting {
+/// What a host may set.
+struct Setting {
   std::string name;
-  std::function<std::unique_ptr<Setting>()> set;
+  std::function<void()> set;
 };
 
-inline std::vector<NamedSetting> settings() {
+inline std::vector<Setting> settings() {
   const auto rounding = [](std::string name, int how) {
-    return NamedSetting{std::move(name), [how] { return std::make_unique<Rounding>(how); }};
+    return Setting{std::move(name), [how] { EXPECT_EQ(std::fesetround(how), 0); }};
   };
   return {
     rounding("downward", FE_DOWNWARD), rounding("upward", FE_UPWARD), rounding("toward zero", FE_TOWARDZERO),
 #if defined(__SSE2__)
     {
-      "no subnormals", [] { return std::make_unique<NoSubnormals>(); }
+      "no subnormals", [] { _mm_setcsr(_mm_getcsr() | 0x8040); }  // FTZ and DAZ
     }
 #endif
   };
+}
+
+/// What `body` gives under a setting, which then ends.
+template <class Body>
+auto under(const Setting& setting, Body&& body) {
+#if defined(__SSE2__)
+  const unsigned before = _mm_getcsr();
+#endif
+  setting.set();
+  auto result = body();
+  std::fesetround(FE_TONEAREST);
+#if defined(__SSE2__)
+  _mm_setcsr(before);
+#endif
+  return result;
 }
 
 }  // namespace limitcurve::godobject::test

@@ -35,12 +35,9 @@ TEST(HostSettings, ABatchFeelsTheSameUnderAnyRounding) {
     const FingerCurve curve = make_finger_curve(choice.kind, hertz(), 1e-8);
     for (const NamedParameters& with : all_parameters()) {
       const std::vector<double> nearest = batch_forces(curve, with.finger, choice.projection);
-      for (const NamedSetting& setting : settings()) {
-        std::vector<double> other;
-        {
-          const auto set = setting.set();
-          other = batch_forces(curve, with.finger, choice.projection);
-        }
+      for (const Setting& setting : settings()) {
+        const std::vector<double> other =
+            under(setting, [&] { return batch_forces(curve, with.finger, choice.projection); });
         for (std::size_t i = 0; i < nearest.size(); ++i) {
           ASSERT_NEAR(nearest[i], other[i], 1e-9)
               << choice.name() << ", " << with.name << ", " << setting.name << ' ' << i;
