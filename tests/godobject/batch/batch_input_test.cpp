@@ -67,50 +67,6 @@ TYPED_TEST(BatchInput, AFaultHoldsTheGrip) {
   }
 }
 
-// Every kind of number in every field, for hundreds of steps.
-TYPED_TEST(BatchInput, NoNaNComesOutWhateverComesIn) {
-  using Real = TypeParam;
-  using Limits = std::numeric_limits<Real>;
-  constexpr std::array<Real, 20> odd{Real(0),
-                                     -Real(0),
-                                     Limits::denorm_min(),
-                                     Limits::min(),
-                                     Real(-1e-30),
-                                     Real(1e-20),
-                                     Real(1e-12),
-                                     Real(-1e-6),
-                                     Real(1e-3),
-                                     Real(0.002),
-                                     Real(0.003),
-                                     Real(-0.01),
-                                     Real(1),
-                                     Real(1e3),
-                                     Real(-1e6),
-                                     Real(1e7),
-                                     Limits::max(),
-                                     Limits::quiet_NaN(),
-                                     Limits::infinity(),
-                                     -Limits::infinity()};
-  constexpr std::size_t count = 499;
-  for (const Case<Real>& with : cases<Real>()) {
-    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
-    BasicContactArrays<Real> arrays(count);
-    Random random(31);
-    for (int round = 0; round < repetitions(200, 40); ++round) {
-      for (const std::span<Real> array : {arrays.x(), arrays.y(), arrays.twist(), arrays.depth()}) {
-        for (Real& value : array) {
-          const std::uint64_t bits = random.bits();
-          value = bits % 3 == 0   ? odd[static_cast<std::size_t>((bits >> 8U) % odd.size())]
-                  : bits % 3 == 1 ? static_cast<Real>(random.logarithmic(1e-30, 1e6))
-                                  : static_cast<Real>(random.uniform(-0.005, 0.005));
-        }
-      }
-      batch.step(arrays.batch());
-      for (const Real value : written(arrays.batch())) ASSERT_TRUE(std::isfinite(value)) << with.name << ' ' << round;
-    }
-  }
-}
-
 // Fingers with numbers whose squares overflow a float work, too.
 TYPED_TEST(BatchInput, StepsFingersOfAnyScale) {
   using Real = TypeParam;

@@ -43,7 +43,32 @@ void expect_same_bits(const BasicContactBatch<Real>& a, const BasicContactBatch<
   }
 }
 
-/// Moves contacts at random: as a rule by little, some far; some free, a few faults of the device.
+/// Numbers of every kind.
+template <class Real, class Limits = std::numeric_limits<Real>>
+constexpr std::array<Real, 22> odd{0,
+                                   -Real(0),
+                                   Limits::denorm_min(),
+                                   Limits::min(),
+                                   Real(-1e-30),
+                                   Real(1e-20),
+                                   Real(1e-12),
+                                   Real(-1e-6),
+                                   Real(1e-3),
+                                   Real(0.002),
+                                   Real(0.003),
+                                   Real(-0.01),
+                                   1,
+                                   Real(1e3),
+                                   Real(9e5),
+                                   Real(-1e6),
+                                   Real(1e7),
+                                   Real(1e9),
+                                   Limits::max(),
+                                   Limits::quiet_NaN(),
+                                   Limits::infinity(),
+                                   -Limits::infinity()};
+
+/// Moves contacts at random: as a rule by little, some far; some free; some numbers are odd.
 class Motion {
  public:
   template <class Real>
@@ -54,18 +79,15 @@ class Motion {
       Real& y = arrays.y()[i];
       Real& angle = arrays.twist()[i];
       if (!(std::fabs(x) < Real(1))) x = 0;
+      if (!(std::fabs(y) < Real(1))) y = 0;
       if (!(std::fabs(angle) < Real(10))) angle = 0;
       x += static_cast<Real>(between(-stride, stride));
       y += static_cast<Real>(between(-stride, stride));
       angle += static_cast<Real>(100.0 * between(-stride, stride));
       arrays.depth()[i] = static_cast<Real>(between(-0.0003, 0.003));
-      const double chance = between(0.0, 1.0);
-      if (chance < 0.01) x = std::numeric_limits<Real>::quiet_NaN();
-      if (chance > 0.01 && chance < 0.02) angle = Real(1e7);
-      if (chance > 0.02 && chance < 0.03) arrays.depth()[i] = std::numeric_limits<Real>::quiet_NaN();
-      if (chance > 0.03 && chance < 0.04) arrays.depth()[i] = Real(1e9);
-      if (chance > 0.04 && chance < 0.05) arrays.depth()[i] = std::numeric_limits<Real>::denorm_min();
-      if (chance > 0.05 && chance < 0.06) x = Real(9e5);
+      for (Real* const number : {&x, &y, &angle, &arrays.depth()[i]}) {
+        if (between(0.0, 1.0) < 0.05) *number = odd<Real>[engine_() % odd<Real>.size()];
+      }
     }
   }
 
