@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 namespace limitcurve::fit {
 namespace {
 
@@ -60,7 +58,6 @@ TEST(LawChoice, StatedRadiusHoldsTheTruthWhicheverLawMadeTheData) {
     alarms += warns(report, "outlier") || warns(report, "gamma") || warns(report, "scatter evenly");
     test::expect_mention(report.note, "(best of ");
   }
-  std::printf("%d of %d radii within two standard errors, %d false alarms\n", held, sets, alarms);
   // 20 sets determine the share to 5 %.
   const double slack = sets < all_sets ? 0.05 : 0.0;
   EXPECT_GE(held, (0.90 - slack) * sets);
@@ -87,7 +84,6 @@ TEST(LawChoice, ATruthOutsideTheLawsIsWithinTheStatedErrorsOrWarnedOf) {
       warned += warns(report, "do not scatter evenly");
       EXPECT_LT(found.std_error, 0.05 * mu_r);
     }
-    std::printf("%s: %d of %d held, %d warned\n", name, held, sets, warned);
     EXPECT_GE(held, 0.9 * sets) << name;
     EXPECT_GE(warned, 0.75 * sets) << name;
   }
