@@ -2,7 +2,6 @@
 """Calls the limitcurve executable and reads its output."""
 
 import csv
-import io
 import os
 import re
 import subprocess
@@ -19,15 +18,26 @@ UNIT_QUESTION = re.compile(
 PROGRESS = re.compile(r"(?m)^limitcurve: [a-z-]+: (\d+ %, )?\d+ s\n")
 
 
-def run(*arguments, **options):
+def number_or_text(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+# A Hertz finger of 6 mm on its springs, and one that is to get its moment's limit by --mu-r.
+FINGER = [
+    "--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness",
+    "0.036"
+]
+MEASURED = FINGER[:2] + FINGER[4:]
+
+
+def run(*arguments, command=(EXECUTABLE, ), **options):
     """The finished process, with its texts, but for lines of progress. A test that fits is skipped where the executable
     cannot."""
-    done = subprocess.run([EXECUTABLE, *map(str, arguments)],
-                          capture_output=True,
-                          text=True,
-                          timeout=600,
-                          check=False,
-                          **options)
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
+    done = subprocess.run([*command, *map(str, arguments)], text=True, timeout=600, check=False, **pipes)
     if "has no 'fit'" in done.stderr:
         raise unittest.SkipTest("without Ceres")
     done.stderr = PROGRESS.sub("", done.stderr)
@@ -35,16 +45,22 @@ def run(*arguments, **options):
 
 
 def rows(*arguments, remark=""):
-    """The rows of a successful call, as dictionaries with converted numbers. Standard error may only have the remark,
-    or ask for a unit (test_units.py)."""
+    """The table of a successful call. Standard error may only have the remark, or ask for a unit (test_units.py)."""
     done = run(*arguments)
     if done.returncode != 0 or (remark not in done.stderr if remark else UNIT_QUESTION.sub("", done.stderr)):
         raise AssertionError(f"{arguments}: exit {done.returncode}, {done.stderr}")
-    return [{
-        name: number_or_text(value)
-        for name, value in row.items()
-    }
-            for row in csv.DictReader(io.StringIO(done.stdout))]
+    return table(done.stdout)
+
+
+def table(text, convert=number_or_text):
+    """The rows of a CSV, as dictionaries with converted cells."""
+    lines = (line for line in text.splitlines() if not line.startswith("#"))
+    return [{name: convert(value) for name, value in row.items()} for row in csv.DictReader(lines)]
+
+
+def data(name, convert=number_or_text):
+    """The rows of a file of data/."""
+    return table((DATA / name).read_text(encoding="utf-8"), convert)
 
 
 def header(*arguments):
@@ -54,13 +70,6 @@ def header(*arguments):
 def subcommands():
     """The names in the groups of --help."""
     return re.findall(r"(?m)^  ([a-z]\S*)", run("--help").stdout)
-
-
-def number_or_text(text):
-    try:
-        return float(text)
-    except ValueError:
-        return text
 
 
 def numbers(values):
@@ -78,14 +87,14 @@ class CommandLineTest(unittest.TestCase):
 
     def file(self, name, text):
         path = self.directory / name
-        path.write_text(text)
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
         return path
 
     def assert_fails(self, status, told, *arguments, **options):
         """Expects exit `status`, and one line on standard error with all texts of `told`."""
         done = run(*arguments, **options)
         context = f"{arguments}: {done.stderr!r}"
-        self.assertEqual(done.returncode, status, context)
+        self.assertEqual((done.returncode, done.stdout or ""), (status, ""), context)
         self.assertRegex(done.stderr, r"\Alimitcurve: error: [^\n]+\n\Z", context)
         for text in [told] if isinstance(told, str) else told:
             self.assertIn(text, done.stderr, context)

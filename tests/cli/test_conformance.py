@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Questions that every interface answers alike (data/conformance.csv): here the exported header in C."""
 
-import csv
 import math
 import subprocess
 import unittest
 from collections import defaultdict
 
-from command_line import DATA, CommandLineTest, rows
+from command_line import CommandLineTest, data, rows
 
 # Reads "quantity numbers" a line.
 ASK = """
@@ -30,12 +29,11 @@ int main(void) {
 def questions():
     """By law: quantity, radius law, arguments and answer."""
     result = defaultdict(list)
-    with open(DATA / "conformance.csv", encoding="utf-8") as file:
-        for row in csv.DictReader(line for line in file if not line.startswith("#")):
-            words = row["arguments"].split()
-            radius = next((word for word in words if ":" in word), "")
-            result[row["law"]].append((row["quantity"], radius, [float(word) for word in words if word != radius],
-                                       [float(x) for x in row["answer"].split()]))
+    for row in data("conformance.csv", str):
+        words = row["arguments"].split()
+        radius = next((word for word in words if ":" in word), "")
+        result[row["law"]].append((row["quantity"], radius, [float(word) for word in words if word != radius],
+                                   [float(x) for x in row["answer"].split()]))
     return result
 
 

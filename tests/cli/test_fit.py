@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """fit: fits find the parameters of synthetic data; bad and insufficient data are refused."""
 
-import csv
-import io
 import math
 import random
 import runpy
@@ -10,7 +8,7 @@ import shlex
 import unittest
 from pathlib import Path
 
-from command_line import DATA, CommandLineTest, rows, run
+from command_line import DATA, CommandLineTest, rows, run, table
 
 
 class Fit(CommandLineTest):
@@ -28,9 +26,8 @@ class Fit(CommandLineTest):
     def fitted(self, *arguments):
         done = run("fit", *arguments)
         self.assertEqual(done.returncode, 0, done.stderr)
-        lines = [line.split(",") for line in done.stdout.splitlines()]
-        self.assertEqual(lines[0], ["parameter", "value", "std_error", "unit", "note"])
-        return {name: float(value) for name, value, *_ in lines[1:]}, done.stderr
+        self.assertEqual(done.stdout.splitlines()[0], "parameter,value,std_error,unit,note")
+        return {row["parameter"]: row["value"] for row in table(done.stdout)}, done.stderr
 
     # Table 1's claim that mu_r/mu_l does not depend on the material: its deviations are of single measurements, and it
     # does not say how many.
@@ -50,12 +47,9 @@ class Fit(CommandLineTest):
         self.assert_close(found["n_for_p_0.05"]["value"], -2 * math.log(0.05) / chi_squared, 1e-12)
         for n, p in [(1, 0.67), (8, 0.04), (10, 0.02)]:
             text = "ratio,ratio_sd,n\n" + "".join(f"{1e-3 * ratio!r},{1e-3 * sd!r},{n}\n" for ratio, sd in table)
-            told = {
-                row["parameter"]: row
-                for row in rows("fit", "ratio", "--quiet", "--data", self.file("n.csv", text))
-            }
+            told, _ = self.fitted("ratio", "--quiet", "--data", self.file("n.csv", text))
             self.assertEqual(list(told), ["ratio", "radius", "chi_squared", "degrees_of_freedom", "p_value"])
-            self.assertEqual(round(told["p_value"]["value"], 2), p)
+            self.assertEqual(round(told["p_value"], 2), p)
         # Through a pipe; two that no one ratio explains.
         text = (DATA / "materials.csv").read_text()
         call = ["fit", "ratio", "--quiet", "--law", "uniform", "--data"]
@@ -73,15 +67,10 @@ class Fit(CommandLineTest):
 
     def renamed(self, source, names, factors):
         """A copy of a file with other names of columns, and numbers in other units."""
-        lines = [line for line in Path(source).read_text().splitlines() if not line.startswith("#")]
-        columns = lines[0].split(",")
-        text = [",".join(names.get(name, name) for name in columns)]
-        text += [
-            ",".join(
-                repr(float(cell) * factors[name]) if name in factors else cell
-                for name, cell in zip(columns, line.split(",")))
-            for line in lines[1:]
-        ]
+        found = table(Path(source).read_text())
+        text = [",".join(names.get(name, name) for name in found[0])]
+        text += [",".join(repr(cell * factors[name]) if name in factors else str(cell) for name, cell in row.items())
+                 for row in found]
         return self.file("renamed.csv", "\n".join(text) + "\n")
 
     def test_columns_and_units_of_the_file(self):
@@ -109,9 +98,8 @@ class Fit(CommandLineTest):
 
     def test_a_fit_to_a_curve_has_no_standard_errors(self):
         for criterion in ["least-squares", "minimax", "inner"]:
-            for line in run("fit", "ellipse", "--law", "hertz", "--criterion", criterion,
-                            "--quiet").stdout.splitlines()[1:]:
-                self.assertEqual(line.split(",")[2], "", line)
+            for row in rows("fit", "ellipse", "--law", "hertz", "--criterion", criterion, "--quiet"):
+                self.assertEqual(row["std_error"], "", row)
 
     def test_growth_that_was_not_fitted_is_warned_of(self):
         """Once, 80 clean slips of a = 4.35 mm P^0.257 were fitted with gamma = 0, without a warning."""
@@ -137,10 +125,10 @@ class Fit(CommandLineTest):
         log = ("--law", "hertz", "--data", data, "--least-load", "0.5", "--zero", *columns)
         for model in ("ratio", "law"):
             done = run("fit", model, *log, "--loss", "edge")
-            found = {row["parameter"]: row for row in csv.DictReader(io.StringIO(done.stdout))}
+            found = {row["parameter"]: row for row in table(done.stdout)}
             for name, true in (("mu", 0.6), ("mu_r", 0.00141395)):
-                self.assertAlmostEqual(float(found[name]["value"]), true, delta=2 * float(found[name]["std_error"]))
-                self.assertLess(float(found[name]["std_error"]), 0.03 * true)
+                self.assertAlmostEqual(found[name]["value"], true, delta=2 * found[name]["std_error"])
+                self.assertLess(found[name]["std_error"], 0.03 * true)
             self.assertIn("pauses, field.wrench.force.z", done.stderr)
             self.assertIn("rows have a blank in a used column, and are left out", done.stderr)
             self.assertNotIn("lower bound", done.stderr)

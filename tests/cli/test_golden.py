@@ -8,13 +8,12 @@ records the cases of these names again, the same columns and rows. A new case be
 a line of columns that begins with `row`, and lines that hold the numbers of rows.
 """
 
-import csv
 import fnmatch
 import math
 import sys
 import unittest
 
-from command_line import DATA, number_or_text, run
+from command_line import DATA, number_or_text, run, table
 
 FILE = DATA / "golden.txt"
 TOLERANCE = 1e-9
@@ -47,7 +46,7 @@ def output(case):
     done = run(*case[0].split(), cwd=DATA.parent)
     if done.returncode:
         raise AssertionError(done.stderr)
-    rows = list(csv.DictReader(done.stdout.splitlines()))
+    rows = table(done.stdout, str)
     return [[rows[int(line.split(",")[0])][name] for name in case[1].split(",")[1:]] for line in case[2:]]
 
 

@@ -2,6 +2,7 @@
 """What a terminal gets: results in a table; on standard error progress (a bar there, lines elsewhere), colours, and
 what was meant."""
 
+import contextlib
 import csv
 import os
 import pty
@@ -12,13 +13,9 @@ import time
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 
-from command_line import EXECUTABLE, CommandLineTest, PROGRESS, run
+from command_line import EXECUTABLE, FINGER, PROGRESS, CommandLineTest, run
 
 EVAL = ["eval", "--law", "hertz", "--c", "1"]
-FINGER = [
-    "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness",
-    "0.036"
-]
 
 
 def on_terminal(*arguments, results=True, environment=(), feed=None):
@@ -28,13 +25,8 @@ def on_terminal(*arguments, results=True, environment=(), feed=None):
         ours, theirs = pty.openpty()
     except OSError as error:  # as where /dev/pts is not mounted
         raise unittest.SkipTest(f"no pseudo-terminal: {error}") from error
-    variables = {
-        **{
-            name: value
-            for name, value in os.environ.items() if name != "NO_COLOR"
-        }, "TERM": "xterm",
-        **dict(environment)
-    }
+    variables = {name: value for name, value in os.environ.items() if name != "NO_COLOR"}
+    variables |= {"TERM": "xterm", **dict(environment)}
     process = subprocess.Popen([EXECUTABLE, *map(str, arguments)],
                                stdin=subprocess.PIPE if feed else subprocess.DEVNULL,
                                stdout=theirs if results else subprocess.PIPE,
@@ -44,20 +36,14 @@ def on_terminal(*arguments, results=True, environment=(), feed=None):
     if feed:
         feed(process.stdin)
         process.stdin.close()
+        process.stdin = None
     seen = b""
-    while True:
-        try:
-            chunk = os.read(ours, 65536)
-        except OSError:  # the other end is closed
-            break
-        if not chunk:
-            break
-        seen += chunk
+    with contextlib.suppress(OSError):  # the other end is closed
+        while chunk := os.read(ours, 65536):
+            seen += chunk
     os.close(ours)
-    printed = b"" if results else process.stdout.read()
-    if not results:
-        process.stdout.close()
-    return process.wait(), seen.decode().replace("\r\n", "\n"), printed.decode()
+    printed = process.communicate()[0] or b""
+    return process.returncode, seen.decode().replace("\r\n", "\n"), printed.decode()
 
 
 def shown(text):
@@ -205,13 +191,8 @@ class Table(CommandLineTest):
 class Colours(CommandLineTest):
     def test_an_error_in_red_on_a_terminal_alone(self):
         red, plain = "limitcurve: \x1b[31merror:\x1b[0m ", "limitcurve: error: "
-        for environment, begin in [({}, red), ({
-                "NO_COLOR": ""
-        }, red), ({
-                "NO_COLOR": "1"
-        }, plain), ({
-                "TERM": "dumb"
-        }, plain)]:
+        for environment, begin in [({}, red), ({"NO_COLOR": ""}, red), ({"NO_COLOR": "1"}, plain),
+                                   ({"TERM": "dumb"}, plain)]:
             status, seen, _ = on_terminal("evil", environment=environment)
             self.assertEqual(status, 2)
             self.assertRegex(seen, rf"\A{re.escape(begin)}no subcommand 'evil'[^\n\x1b]+\n\Z")

@@ -3,12 +3,11 @@
 them or more."""
 
 import ast
-import csv
 import re
 import unittest
 from pathlib import Path
 
-from command_line import DATA, run
+from command_line import DATA, FINGER, data, run
 
 ROOT = Path(__file__).resolve().parents[2]
 LANGUAGES = ("cpp", "c", "python", "option")
@@ -84,8 +83,7 @@ def option_names():
 class Names(unittest.TestCase):
     def test_one_name_in_four_languages(self):
         present = dict(zip(LANGUAGES, (cpp_names(), c_names(), python_names(), option_names())))
-        with (DATA / "names.csv").open(encoding="utf-8") as file:
-            listed = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        listed = data("names.csv")
         for row in listed:
             self.assertGreaterEqual(sum(bool(row[language]) for language in LANGUAGES), 2, row)
             for language in LANGUAGES:
@@ -119,10 +117,7 @@ class Names(unittest.TestCase):
                              [re.sub(r"_(\w)", lambda letter: letter[1].upper(), member) for member in members], name)
 
     def test_values_may_have_underscores(self):
-        call = [
-            "replay", "--trace", DATA / "traces" / "slide_twist_load.csv", "--law", "hertz", "--radius-law",
-            "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036", "--projection"
-        ]
+        call = ["replay", "--trace", DATA / "traces" / "slide_twist_load.csv", *FINGER, "--projection"]
         self.assertEqual(run(*call, "closest_point").stdout, run(*call, "closest-point").stdout)
 
 

@@ -2,7 +2,6 @@
 """The corrections to the paper: results of its equations as printed, written out here, compared with what the command
 gives."""
 
-import csv
 import importlib.util
 import math
 import subprocess
@@ -10,28 +9,16 @@ import sys
 import unittest
 from pathlib import Path
 
-from command_line import DATA, EXECUTABLE, CommandLineTest, rows
+from command_line import DATA, EXECUTABLE, FINGER, MEASURED, CommandLineTest, data, rows
 
 ROOT = Path(__file__).resolve().parents[2]
 SIXTY_LINES = ROOT / "examples" / "python" / "paper_in_60_lines.py"
 MU, MU_R = 1.67, 0.01011  # sandpaper
-FINGER = {
-    "law": "hertz",
-    "radius-law": "constant:a=0.006",
-    "mu": "0.6",
-    "stiffness": "1000",
-    "twist-stiffness": "0.036"
-}
-FINGER_OPTIONS = [word for name, value in FINGER.items() for word in (f"--{name}", value)]
 
 
-def table(path):
-    return list(
-        csv.DictReader(line for line in path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")))
-
-
-def trace(name):
-    return [{column: float(value) for column, value in row.items()} for row in table(DATA / "traces" / name)]
+def replayed(name, *options):
+    """A motion of data/ replayed by the finger."""
+    return rows("replay", "--trace", DATA / name, *FINGER, *options)
 
 
 def printed_equation_8(samples, mu_static, mu_dynamic):
@@ -115,34 +102,22 @@ def friction_on_a_finger(c, n=400):
 class Corrections(CommandLineTest):
     """What docs/paper.md says of the equations as printed. Each is evaluated here by a sum of its own."""
 
-    def replay(self, name, *options):
-        return [
-            row for row in rows("replay", "--trace", DATA / "traces" / name, *FINGER_OPTIONS, *options)
-            if row["state"] != "free"
-        ]
-
     def test_equation_8_chatters_where_dynamic_friction_is_less(self):
-        printed = printed_equation_8(trace("slide_twist_load.csv"), 0.6, 0.3)
+        trace = "traces/slide_twist_load.csv"
+        printed, both_alike = (printed_equation_8(data(trace), 0.6, dynamic) for dynamic in (0.3, 0.6))
+        here, alike = ([math.hypot(row["fx"], row["fy"]) / row["load"]
+                        for row in replayed(trace, "--curve", "box", *dynamic)
+                        if row["load"] > 0] for dynamic in (("--mu-dynamic", "0.3"), ()))
         self.assertAlmostEqual(sum(printed) / len(printed), 0.319, delta=5e-4)
-        here = [
-            math.hypot(row["fx"], row["fy"]) / row["load"]
-            for row in self.replay("slide_twist_load.csv", "--curve", "box", "--mu-dynamic", "0.3")
-            if row["load"] > 0
-        ]
         self.assertLess(sum(here) / len(here), 0.23)
-        # Where both coefficients are one the two agree.
-        printed = printed_equation_8(trace("slide_twist_load.csv"), 0.6, 0.6)
-        here = [
-            math.hypot(row["fx"], row["fy"]) / row["load"]
-            for row in self.replay("slide_twist_load.csv", "--curve", "box")
-        ]
-        self.assertAlmostEqual(max(abs(a - b) for a, b in zip(printed, here)), 0, delta=1e-9)
+        for one, other in zip(both_alike, alike, strict=True):
+            self.assertAlmostEqual(one, other, delta=1e-9)
 
     def test_angles_at_touch_down_preload_nothing(self):
         for alpha_0 in (0, 0.3):
             samples = [(i / 1000, min(i, 20) * 1e-4, alpha_0 + max(0, i - 50) * 1e-3) for i in range(-2, 100)]
             path = "".join(f"{time},0,0,{-depth},{alpha_s}\n" for time, depth, alpha_s in samples)
-            found = rows("replay", "--trace", self.file("trace.csv", "time,x,y,z,twist\n" + path), *FINGER_OPTIONS)
+            found = replayed(self.file("trace.csv", "time,x,y,z,twist\n" + path))
             for row, (_, depth, alpha_s) in zip(found, samples, strict=True):
                 # As printed alpha_p = alpha_0 at touch-down and alpha_g = alpha_s - alpha_0.
                 printed = 0.036 * (alpha_0 - (alpha_s - alpha_0)) if depth > 0 else 0
@@ -153,7 +128,7 @@ class Corrections(CommandLineTest):
     def test_signs_of_equation_17(self):
         # The printed pair is that on the finger: F opposes v_y = -c, M opposes omega = 1, and they have
         # the power of friction.
-        radius, load = float(FINGER["radius-law"].split("=")[1]), 2
+        radius, load = 0.006, 2
         for c in (0.5, 1, 2):
             force, moment = printed_equation_17(c)
             *summed, power = friction_on_a_finger(c)
@@ -165,8 +140,8 @@ class Corrections(CommandLineTest):
             patch = rows("patch", "--quiet", "--patch", "ellipse:law=hertz,a=1,b=1", "--twists", twist)[0]
             # A finger moved so settles at it, on its user.
             path = "".join(f"{i / 1000},0,{-c * radius * 0.02 * i},{-load / 1000},{0.02 * i}\n" for i in range(300))
-            settled = self.replay(self.file("trace.csv", "time,x,y,z,twist\n" + path), "--projection",
-                                  "closest-point")[-1]
+            settled = replayed(self.file("trace.csv", "time,x,y,z,twist\n" + path), "--projection",
+                               "closest-point")[-1]
             limit = 0.6 * load
             for found in ((here["force"], -here["moment"]), (-patch["fy"], -patch["moment"]),
                           (settled["fy"] / limit, settled["moment"] / (limit * radius))):
@@ -176,7 +151,7 @@ class Corrections(CommandLineTest):
 
     def test_quotients_that_are_0_by_0(self):
         # A pure twist has r = 0, a pure drag rho = 0: r'/r of eq. (23) is none.
-        twist, drag = self.replay("press_twist_release.csv"), self.replay("press_drag_release.csv")
+        twist, drag = (replayed(f"traces/press_{motion}_release.csv") for motion in ("twist", "drag"))
         self.assertIn("slip", {row["state"] for row in twist} & {row["state"] for row in drag})
         self.assertEqual({(row["fx"], row["fy"]) for row in twist}, {(0, 0)})
         self.assertEqual({row["moment"] for row in drag}, {0})
@@ -198,7 +173,7 @@ class Corrections(CommandLineTest):
         fingers = [((ball - depth) * math.sin(angle), (ball - depth) * math.cos(angle)) for angle, depth in path]
         trace_of = "".join(f"{i / 1000},{x!r},0,{z!r},0\n" for i, (x, z) in enumerate(fingers))
         found = rows("replay", "--trace", self.file("trace.csv",
-                                                    "time,x,y,z,twist\n" + trace_of), *FINGER_OPTIONS[:4], "--mu", "50",
+                                                    "time,x,y,z,twist\n" + trace_of), *FINGER[:4], "--mu", "50",
                      "--stiffness", stiffness, "--twist-stiffness", "0.036", "--surface", f"sphere:radius={ball}")
         self.assertEqual({row["state"] for row in found}, {"stick"})
         printed, tangential = [], []
@@ -222,7 +197,7 @@ class Corrections(CommandLineTest):
     def test_the_proxy_goes_where_the_bodys_material_goes(self):
         # A plate turns in place under a finger 5 mm beside its axis that sticks: its centre moves by 0, the place under
         # the finger by 4.75 mm.
-        found = rows("replay", "--trace", DATA / "scenes" / "turntable.csv", "--body", "trace", *FINGER_OPTIONS[:4],
+        found = rows("replay", "--trace", DATA / "scenes" / "turntable.csv", "--body", "trace", *FINGER[:4],
                      "--mu", "1000", "--stiffness", "1000", "--twist-stiffness", "0.036")
         touch = next(row for row in found if row["state"] != "free")
         self.assertEqual({row["state"] for row in found[found.index(touch):]}, {"stick"})
@@ -309,8 +284,7 @@ class Corrections(CommandLineTest):
                 "box:x=0.12,y=0.04,z=0.04", "--body", "free:mass=0.1", "--damping", "2"]
         soft, point = ([math.degrees(
             2 * math.atan2(row["bqz"], row["bqw"])) for row in rows(*call, *more)] for more in (
-                FINGER_OPTIONS,
-                ["--mu-r", "0", *(w for w in FINGER_OPTIONS if w not in ("--radius-law", FINGER["radius-law"]))]))
+                FINGER, ["--mu-r", "0", *MEASURED]))
         self.assertAlmostEqual(soft[-1], math.degrees(2 * math.atan(0.2)), delta=0.05)
         self.assertEqual(set(point), {0})
 
@@ -335,7 +309,7 @@ class SixtyLines(CommandLineTest):
             for path, body in ((DATA / "traces" / "slide_twist_load.csv", []), (DATA / "scenes" / "turntable.csv",
                                                                                 ["--body", "trace"])):
                 here = list(self.paper.god_object(self.paper.read(path), step_b))
-                library = rows("replay", "--trace", path, *FINGER_OPTIONS, "--curve", *curve, *body)
+                library = replayed(path, "--curve", *curve, *body)
                 self.assertEqual(len(here), len(library))
                 self.assertIn("slip", {row["state"] for row in library})
                 for wrench, row in zip(here, library):

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: MIT
 """What docs/paper.md says of the paper's claims: of people, of its experiment, and of what it assumes."""
 
-import csv
-import io
 import math
 import unittest
 
-from command_line import DATA, CommandLineTest, rows, run
-from test_paper import FINGER_OPTIONS, table
+from command_line import DATA, FINGER, CommandLineTest, data, rows, run, table
 
 QUIET = ["--damping", "86", "--operator", "target=30deg,speed=0.1,rate=0.1", "--duration", "20"]
 
@@ -35,7 +32,7 @@ class Claims(CommandLineTest):
     def test_what_a_soft_finger_costs(self):
         done = run("choose", "--law", "hertz", "--tolerance", "0.01", "--scene", "--mu", "0.6", "--loads", "0.5,2",
                    "--stiffness", "1000", "--twist-stiffness", "0.036", "--twist-rate", "2")
-        cost = {row["model"]: float(row["nanoseconds"]) for row in csv.DictReader(io.StringIO(done.stdout))}
+        cost = {row["model"]: row["nanoseconds"] for row in table(done.stdout)}
         self.assertEqual(round(cost["ellipse/radial"] / cost["no torsion"]), 2)
         self.assertEqual(round(cost["table/closest-point"] / cost["no torsion"]), 4)
 
@@ -45,18 +42,16 @@ class Claims(CommandLineTest):
             line if line[0] in "#t" else f"{7 * float(line.split(',')[0])}," + line.split(",", 1)[1] for line in motion
         ]
         for curve in (["ellipse", "--projection", "radial"], ["table"], ["box", "--mu-dynamic", "0.5"]):
-            ever, slower = (rows("replay", "--trace", self.file("trace.csv", "\n".join(lines) + "\n"), *FINGER_OPTIONS,
+            ever, slower = (rows("replay", "--trace", self.file("trace.csv", "\n".join(lines) + "\n"), *FINGER,
                                  "--curve", *curve) for lines in (motion, slow))
             self.assertIn("slip", {row["state"] for row in ever})
             for name in ("px", "py", "angle", "fx", "fy", "moment"):
                 self.assertEqual([row[name] for row in ever], [row[name] for row in slower])
 
     def test_curves_in_the_plane_of_r_and_rho(self):
-        springs = ["--stiffness", "1000", "--twist-stiffness", "0.036"]
         for call in (["p-curves", "--loads", "0,0.5,1", "--points",
                       "9"], ["c-curves", "--cors", "0,0.006,inf", "--loads", "0.5,1"]):
-            call += ["--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6"]
-            plain, found = rows(*call), rows(*call, *springs)
+            plain, found = rows(*call, *FINGER[:6]), rows(*call, *FINGER)
             self.assertEqual(list(found[0]), [*plain[0], "r", "rho"])
             for row in found:
                 self.assert_close(row["r"], row["force"] / 1000, 1e-15)
@@ -118,15 +113,15 @@ class Claims(CommandLineTest):
         def first_cost(grid):
             return [line[1] - line[0] for line in grid]
 
-        for material in table(DATA / "materials.csv"):
-            mu, mu_r = float(material["mu"]), float(material["mu_r"])
-            data = self.file(
+        for material in data("materials.csv"):
+            mu, mu_r = material["mu"], material["mu_r"]
+            grid = self.file(
                 "grid.csv",
                 "force,moment\n" +"".join(f"{force!r},{moment!r}\n" for force in forces for moment in moments))
             loads = [
                 row["hold_load"]
                 for row in rows("hold", "--law", "hertz", "--radius-law",
-                                f"constant:a={mu_r / mu * 16 / (3 * math.pi)!r}", "--mu", mu, "--data", data)
+                                f"constant:a={mu_r / mu * 16 / (3 * math.pi)!r}", "--mu", mu, "--data", grid)
             ]
             exact = [loads[5 * i:5 * i + 5] for i in range(5)]
             ellipse, box, diamond = ([[bear(force / mu, moment / mu_r) for moment in moments] for force in forces]

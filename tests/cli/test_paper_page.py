@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: MIT
 """docs/paper.md: nothing in it points to what is not there, and its quotations are the paper’s."""
 
-import os
 import re
 import shlex
-import subprocess
 import unittest
 from pathlib import Path
 
-from command_line import DATA, EXECUTABLE, CommandLineTest
+from command_line import DATA, CommandLineTest, run
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -101,13 +99,7 @@ class Page(CommandLineTest):
         for call in calls:
             while "$" in call:
                 call = re.sub(r"\$([A-Z]+)", lambda name: variables[name[1]], call)
-            words = shlex.split(call)
-            done = subprocess.run([EXECUTABLE, *words[1:]],
-                                  cwd=self.directory,
-                                  capture_output=True,
-                                  text=True,
-                                  check=False,
-                                  env=os.environ)
+            done = run(*shlex.split(call)[1:], cwd=self.directory)
             self.assertEqual(done.returncode, 0, f"{call}: {done.stderr}")
 
     def test_every_test_and_file_is_there(self):

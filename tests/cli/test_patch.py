@@ -1,17 +1,41 @@
 # SPDX-License-Identifier: MIT
-"""Contacts that are not round: `patch`. References are made here, by sums and quadrature."""
+"""Contacts that are not round: `patch`, and `fit friction`, `validate`, `choose`, `translate` and `replay` with
+--patch. References are made here, by sums and quadrature."""
 
-import csv
-import io
 import math
 import os
 import re
 import subprocess
 import unittest
 
-from command_line import DATA, EXECUTABLE, header, rows, run
-from patch_case import PatchCase, by_points
+from command_line import DATA, EXECUTABLE, FINGER, CommandLineTest, header, rows, run, table
 
+
+class PatchCase(CommandLineTest):
+    def twists(self, *twists):
+        return self.file("twists.csv", "vx,vy,omega\n" + "".join(f"{x!r},{y!r},{w!r}\n" for x, y, w in twists))
+
+    def wrenches(self, patch, *twists):
+        return rows("patch", "--quiet", "--patch", patch, "--twists", self.twists(*twists))
+
+    def refused(self, patch, *parts):
+        self.assert_fails(2, parts, "patch", "--patch", patch, "--twists", self.twists((1.0, 0.0, 0.0)))
+
+
+def by_points(points, twist, mx=1.0, my=1.0):
+    """Power and wrench of weighted points about the origin."""
+    vx, vy, omega = twist
+    total = math.fsum(load for _, _, load in points)
+    sums = [[], [], [], []]
+    for x, y, load in points:
+        ux, uy = mx * (vx - omega * y), my * (vy + omega * x)
+        speed = math.hypot(ux, uy)
+        if speed > 0:
+            share = load / total
+            fx, fy = share * mx * ux / speed, share * my * uy / speed
+            for terms, value in zip(sums, (fx, fy, x * fy - y * fx, share * speed)):
+                terms.append(value)
+    return [math.fsum(terms) for terms in sums]
 
 
 def value_of(formula, problem):
@@ -23,6 +47,7 @@ def value_of(formula, problem):
         times = (before.isalnum() and before != "asinh" or before == ")") and (token.isalnum() or token in "(√")
         text += "*" * times + {"^": "**", "√": "sqrt"}.get(token, token)
     return eval(text, {"asinh": math.asinh, "sqrt": math.sqrt, "π": math.pi, **given})
+
 
 class Patch(PatchCase):
     def test_tactile_logs_with_a_frame_a_row(self):
@@ -53,7 +78,7 @@ class Patch(PatchCase):
         twists = (1.0, 0.0, 0.0), (0.0, 0.0, 2.0), (1e-3, 2e-3, 1.0), (-1e-3, 0.0, 0.3)
         found = []
         for form in ("csv", "json"):
-            file = self.folder / f"pad.{form}"
+            file = self.directory / f"pad.{form}"
             made, = rows("table", "--patch", pad, "--tolerance", "1e-2", "-o", file)
             self.assertEqual(list(made), ["patch", "tolerance", "checked_error", "bytes"])
             self.assertEqual(made["patch"], pad)
@@ -64,7 +89,7 @@ class Patch(PatchCase):
         self.assertEqual(*found)
         for one, other in zip(self.wrenches(pad, *twists), found[0], strict=True):
             self.assertAlmostEqual(one["fx"], other["fx"], delta=made["checked_error"])
-        self.refused(f"table:{self.file('cut.csv', (self.folder / 'pad.csv').read_bytes()[:-9])}", "cut.csv:")
+        self.refused(f"table:{self.file('cut.csv', (self.directory / 'pad.csv').read_bytes()[:-9])}", "cut.csv:")
 
     def test_half_spaces(self):
         """The door's columns; the round contact of `curve` is the ellipse of `patch`. What they keep is asserted in
@@ -84,15 +109,15 @@ class Patch(PatchCase):
         for problem, command, column, answer in lines:
             path = os.path.dirname(EXECUTABLE) + os.pathsep + os.environ["PATH"]
             done = subprocess.run(["sh", "-c", command.strip("`")],
-                                  cwd=self.folder,
+                                  cwd=self.directory,
                                   env={**os.environ, "PATH": path},
                                   capture_output=True,
                                   text=True,
                                   check=True)
-            row, = csv.DictReader(io.StringIO(done.stdout))
+            row, = table(done.stdout)
             formula, number = answer.split(" = ")
             for found in (row[column.strip("`")], value_of(formula, problem)):
-                self.assertAlmostEqual(float(found) / float(number), 1, delta=5e-4, msg=problem)
+                self.assertAlmostEqual(found / float(number), 1, delta=5e-4, msg=problem)
 
     def test_a_file_of_tekscan_has_its_spacing_and_frames(self):
         header = ("DATA_TYPE MOVIE\r\nROWS 2\r\nCOLS 3\r\nROW_SPACING 5.0 mm\r\nCOL_SPACING 4.0 mm\r\nUNITS "
@@ -106,13 +131,10 @@ class Patch(PatchCase):
                          self.wrenches(f"image:{plain},pixel=0.1", twist))
         self.refused(f"image:{movie}", "映画.asf:13", "frame=N")
         self.refused(f"image:{movie},frame=3", "no frame 3")
-        self.refused(f"image:{self.file('bad.asf', header + 'Frame 1' + chr(10) + '1,x,3' + chr(10))}", "bad.asf:9",
-                     "'x'")
-        self.refused(
-            f"image:{self.file('ragged.asf', header + 'Frame 1' + chr(10) + '1,2,3' + chr(10) + '1,2' + chr(10))}",
-            "ragged.asf:10", "expected 3")
-        self.refused(f"image:{self.file('inch.asf', header.replace('4.0 mm', '4.0 in') + frames)},frame=1",
-                     "inch.asf:5", "in mm")
+        for text, line, part in ((header + "Frame 1\n1,x,3\n", 9, "'x'"),
+                                 (header + "Frame 1\n1,2,3\n1,2\n", 10, "expected 3"),
+                                 (header.replace("4.0 mm", "4.0 in") + frames, 5, "in mm")):
+            self.refused(f"image:{self.file('bad.asf', text)}", f"bad.asf:{line}", part)
 
     def test_a_pixel_without_sensor_is_said(self):
         image = self.file("image.csv", "1,B, 3\n,2,nan\n")
@@ -165,17 +187,123 @@ class Slip(PatchCase):
             self.assertLess(row["error"], 1e-9)
 
     def test_where_nothing_slips(self):
-        point = f"points:{self.file('one.csv', 'x,y,load' + chr(10) + '0.1,0.2,3' + chr(10))}"
+        one = self.file("one.csv", "x,y,load\n0.1,0.2,3\n")
+        point = f"points:{one}"
         zero, turned, held = self.of(point, (0.0, 0.0, 0.0), (0.0, 0.0, -1e-3), (0.3, 0.7, 0.01))
         self.assertEqual((zero["hold_load"], turned["hold_load"]), (0, math.inf))
         for row in (zero, turned, *self.slips(
             ("--law", "hertz", "--radius-law", "constant:a=1"), "force,moment", [(0.0, 0.0)])):
-            self.assertTrue(
-                all(
-                    math.isnan(value)
-                    for name, value in row.items()
-                    if name in ("vx", "vy", "omega", "slide", "spin", "error")), row)
+            for name in {"vx", "vy", "omega", "slide", "spin", "error"} & row.keys():
+                self.assertTrue(math.isnan(row[name]), row)
         self.assertAlmostEqual(0.3 * held["vx"] + 0.7 * held["vy"], 1, delta=1e-14)
+
+
+class FitFriction(PatchCase):
+    def fit(self, patch, data, *options):
+        return {row["parameter"]: row for row in rows("fit", "friction", "--patch", patch, "--data", data, *options)}
+
+    def test_measured_pushes_are_explained_by_the_points_and_not_by_the_ellipsoid(self):
+        found = self.fit(f"points:{DATA}/measured/tripod_hardboard_a_points.csv",
+                         DATA / "measured" / "tripod_hardboard_a.csv")
+        for parameter, (value, error) in (("mu", (4.467, 0.045)), ("drift", (-0.034, 0.046)),
+                                          ("drift_ellipsoid", (-0.361, 0.064))):
+            self.assertAlmostEqual(found[parameter]["value"], value, delta=6e-4)
+            self.assertAlmostEqual(found[parameter]["std_error"], error, delta=6e-4)
+        self.assertEqual(found["mu"]["unit"], "N")
+
+    def pushes(self, moved, mu=0.4, load=10.0):
+        """Pushes of a two-point patch away from its origin, whose wrench is exact."""
+        points = [(0.1, 0.2, 1.0), (0.4, 0.3, 3.0)]
+        lines = ["dx,dy,dtheta,force_x,force_y,moment"]
+        for twist in moved:
+            fx, fy, moment, _ = by_points(points, twist)
+            lines.append(",".join(repr(value) for value in (*twist, *(mu * load * one for one in (fx, fy, moment)))))
+        patch = self.file("two.csv", "x,y,load\n" + "".join(f"{x},{y},{w}\n" for x, y, w in points))
+        return f"points:{patch}", self.file("pushes.csv", "\n".join(lines) + "\n")
+
+    MOVED = [(0.01, 0.0, 0.1), (0.0, 0.01, -0.05), (0.001, 0.002, 0.3), (0.02, -0.01, 0.0), (0.0, 0.0, 0.2)]
+
+    def changed(self, data, change, name="changed"):
+        """The pushes with each row changed: a dict of columns."""
+        found = [change(i, row) for i, row in enumerate(table(data.read_text()))]
+        lines = [found[0], *(map(repr, row.values()) for row in found)]
+        return self.file(f"{name}.csv", "\n".join(map(",".join, lines)) + "\n")
+
+    @staticmethod
+    def reacting(row):
+        return {name: value if name.startswith("d") else -value for name, value in row.items()}
+
+    def test_reactions_are_refused_and_single_pushes_against_the_motion_left_out(self):
+        patch, data = self.pushes(self.MOVED)
+        for against in (range(5), range(1, 5)):
+            self.assert_fails(2, (f"push {against[0] + 2}: negative power, as in {len(against)} of 5 pushes", "reaction"),
+                              "fit", "friction", "--patch", patch, "--data",
+                              self.changed(data, lambda i, row: self.reacting(row) if i in against else row))
+        done = run("fit", "friction", "--patch", patch, "--data",
+                   self.changed(data, lambda i, row: self.reacting(row) if i == 2 else row))
+        self.assertIn("push 4 (lines of the file): negative power, left out", done.stderr)
+        self.assertTrue(done.stdout.splitlines()[1].startswith("mu,4"), done.stdout)
+
+    def test_other_units_are_warned_of(self):
+        patch, data = self.pushes(self.MOVED)
+        def scaled(**factors):
+            return self.changed(data, lambda _, row: {
+                name: value * factors.get(name, 1)
+                for name, value in row.items()
+            }, "_".join(factors))
+
+        for changed, part in ((scaled(dx=1000, dy=1000), "in metres?"), (scaled(dtheta=57.3), "in radians?"),
+                              (scaled(moment=1000), "in N m"), (data, "")):
+            done = run("fit", "friction", "--patch", patch, "--data", changed)
+            self.assertIn(part, done.stderr)
+            self.assertEqual("warning" in done.stderr, part != "", done.stderr)
+
+
+class HowWrongIsRound(PatchCase):
+    def test_columns(self):
+        for call in (("validate", ), ("choose", "--tolerance", 0.1)):
+            self.assertEqual(header(*call, "--patch", "rectangle:x=1,y=1"), header(*call, "--law", "hertz"))
+
+    def test_a_friction_factor_of_all_directions_is_one_of_mu(self):
+        disc = "ellipse:law=hertz,a=0.004,b=0.004,mx=2,my=2"
+        self.assertIn("a disc has 2 times mu", run("choose", "--patch", disc, "--tolerance", "0.1").stderr)
+
+    def test_engines_with_two_coefficients_of_friction_get_both(self):
+        patch = "rectangle:x=0.02,y=0.01,mx=2,my=0.5"
+        spin = rows("patch", "--patch", patch, "--twists", self.twists((0, 0, 1)))[0]["moment"]
+        done = run("translate", "--patch", patch, "--mu", "0.4")
+        found = {(row["engine"], row["parameter"]): row["value"] for row in table(done.stdout)}
+        self.assertEqual({engine for engine, _ in found},
+                         {"mujoco", "mjx", "mujoco-warp", "mjlab", "gazebo", "gz-sim", "ode"})
+        for engine, along, across, moment in (("mujoco", "pair.friction[0]", "pair.friction[1]",
+                                               found["mujoco", "pair.friction[2]"]),
+                                              ("ode", "surface.mu", "surface.mu2", found["ode", "surface.rhoN"]),
+                                              ("gazebo", "surface/friction/ode/mu", "surface/friction/ode/mu2",
+                                               found["gazebo", "surface/friction/torsional/coefficient"] * 3 * math.pi /
+                                               16 * found["gazebo", "surface/friction/torsional/patch_radius"])):
+            self.assertAlmostEqual(found[engine, along], 0.8, delta=1e-12)
+            self.assertAlmostEqual(found[engine, across], 0.2, delta=1e-12)
+            self.assertAlmostEqual(moment, 0.4 * spin, delta=1e-14)
+        self.assertIn("physx", done.stderr)
+
+    def test_choose_takes_the_disc_where_it_will_do(self):
+        def chosen(patch, tolerance):
+            (row, ) = (row for row in rows("choose", "--quiet", "--patch", patch, "--tolerance", tolerance)
+                       if row["chosen"] == "true")
+            return row["model"].split(":")[0]
+
+        self.assertEqual(chosen("ellipse:law=uniform,a=0.004,b=0.004", 1e-6), "disc")
+        self.assertEqual(chosen("rectangle:x=0.02,y=0.01", 0.01), "patch")
+        self.assertEqual(chosen("rectangle:x=0.02,y=0.01,mx=2", 0.1), "ellipsoid")
+
+
+class ReplayPatch(PatchCase):
+    def test_columns_are_those_of_replay_and_a_body_may_move(self):
+        trace = ("replay", "--trace", DATA / "traces" / "slide_twist_load.csv")
+        patch = ("--patch", "rectangle:x=0.02,y=0.01", *FINGER[4:])
+        self.assertEqual(header(*trace, *patch), header(*trace, *FINGER))
+        found = rows("replay", "--trace", DATA / "scenes" / "turntable.csv", "--body", "trace", *patch)
+        self.assertIn("slip", {row["state"] for row in found})
 
 
 if __name__ == "__main__":

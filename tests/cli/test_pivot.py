@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 """pivot: the paper's experiment with its options, and errors for bad options."""
 
-import csv
 import math
 import unittest
 
-from command_line import DATA, CommandLineTest, rows, run
+from command_line import CommandLineTest, data, rows, run
 
 CASES = ["coupled", "uncoupled", "exact"]
 
@@ -24,11 +23,11 @@ class Pivot(CommandLineTest):
         self.assertEqual(run(*call, "--every", "7").stdout.splitlines(), lines[:1] + lines[1::7])
 
     def test_angles(self):
-        call = ["pivot", "--case", "coupled", "--duration", "1", "--operator"]
-        expected = rows(*call, "target=0.5235987755982988")
-        self.assertEqual([row["load"] for row in rows(*call, "target=0.5235987755982988rad")],
-                         [row["load"] for row in expected])
-        self.assertEqual([row["load"] for row in rows(*call, "target=30deg")], [row["load"] for row in expected])
+        radians, marked, degrees = (
+            run("pivot", "--case", "coupled", "--duration", "1", "--operator", f"target={angle}").stdout
+            for angle in ("0.5235987755982988", "0.5235987755982988rad", "30deg"))
+        self.assertEqual(radians, marked)
+        self.assertEqual(radians, degrees)
 
     # Eq. (7): distance and angle between the god-object of one finger and its goal, before and after step b. Geometry,
     # whatever the dampers.
@@ -54,14 +53,12 @@ class Pivot(CommandLineTest):
                     self.assertEqual([row[name] for name in ("r", "rho", "trial_r", "trial_rho")], [0, 0, 0, 0])
 
     def test_a_material_is_the_row_of_its_table(self):
-        with open(DATA / "materials.csv", encoding="utf-8") as file:
-            table = list(csv.DictReader(line for line in file if not line.startswith("#")))
-        self.assertGreater(len(table), 2)
-        for row in table:
-            call = ["pivot", "--case", "coupled", "--duration", "0.02"]
-            self.assertEqual(
-                run(*call, "--material", row["material"]).stdout,
-                run(*call, "--mu", row["mu"], "--mu-r", row["mu_r"]).stdout)
+        call = ["pivot", "--case", "coupled", "--duration", "0.02"]
+        materials = data("materials.csv")
+        self.assertGreater(len(materials), 2)
+        for row in materials:
+            self.assertEqual(run(*call, "--material", row["material"]).stdout,
+                             run(*call, "--mu", row["mu"], "--mu-r", row["mu_r"]).stdout)
 
     # By hand: eq. (19) with half the weight for each finger, F/mu and 5 mm F/mu_r.
     def test_a_grip_that_cannot_hold_is_warned_of(self):
@@ -111,15 +108,11 @@ class Pivot(CommandLineTest):
             self.assertTrue(least <= angle <= most, (offset, angle))
 
     def test_curve_projection_and_radius_law_of_ones_own(self):
-        named = {
-            "coupled": ("ellipse", "radial"),
-            "uncoupled": ("box", "closest-point"),
-            "exact": ("table", "closest-point")
-        }
         release = ["--release", "from=0.45,to=0.3,over=2", "--duration", "2"]
         text = {case: run("pivot", "--case", case, *release).stdout for case in CASES}
         self.assertEqual(len(set(text.values())), 3)
-        for case, (curve, projection) in named.items():
+        for case, curve, projection in (("coupled", "ellipse", "radial"), ("uncoupled", "box", "closest-point"),
+                                        ("exact", "table", "closest-point")):
             own = ["--curve", curve, "--projection", projection]
             self.assertEqual(run("pivot", *own, *release).stdout, text[case])
         # What is left out is the case's, and without a case the exact one's.

@@ -8,11 +8,10 @@ An indented line completes the last line that begins at the margin; {a b} stands
 
 import re
 import shlex
-import subprocess
 import unittest
 from pathlib import Path
 
-from command_line import DATA, EXECUTABLE, CommandLineTest, run
+from command_line import DATA, CommandLineTest, run
 
 
 def each(text):
@@ -44,8 +43,7 @@ class Refusals(CommandLineTest):
         for words, content, told in refusals():
             with self.subTest(words=words, content=content):
                 for name in re.findall(r"@([^,]*?\.[a-z]+)", words):
-                    path = self.directory / name
-                    path.write_bytes(content.lstrip(" ").encode().decode("unicode_escape").encode("latin-1"))
+                    self.file(name, content.lstrip(" ").encode().decode("unicode_escape").encode("latin-1"))
                     words = words.replace("@" + name, name)
                 self.assert_fails(2, told, *shlex.split(words), cwd=self.directory)
 
@@ -74,13 +72,7 @@ class Outputs(CommandLineTest):
         for arguments in [["curve", "--law", "hertz", "--points", "20000"], ["laws"], ["laws", "--format", "json"],
                           ["--help"]]:
             with open("/dev/full", "wb") as full:
-                done = subprocess.run([EXECUTABLE, *arguments],
-                                      stdout=full,
-                                      stderr=subprocess.PIPE,
-                                      text=True,
-                                      check=False)
-            self.assertEqual(done.returncode, 1)
-            self.assertRegex(done.stderr, r"\Alimitcurve: error: [^\n]*standard output[^\n]*No space left[^\n]*\n\Z")
+                self.assert_fails(1, ["standard output", "No space left"], *arguments, stdout=full)
 
 
 if __name__ == "__main__":

@@ -1,34 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""replay: the wrench along a trace, and that it settles at the right value."""
+"""replay: the wrench along a trace, other surfaces, bodies and fingers, and files of any form."""
 
 import math
 import unittest
 
-from command_line import CommandLineTest, header, rows, run
-from recorded_finger import COLUMNS, FINGER, M0, MEASURED, TRACE
+from command_line import DATA, FINGER, MEASURED, CommandLineTest, header, rows, run
+
+COLUMNS = "time,state,px,py,angle,depth,load,fx,fy,moment,cor"
+M0 = 3 * math.pi / 16  # Hertz
+# The shortest in which a finger is free, sticks and slips.
+TRACE = "time,x,y,z,twist\n0,0,0,0.001,0\n0.001,0,0,-0.001,0\n0.002,0.0001,0,-0.001,0\n0.003,0.005,0,-0.001,0\n"
 
 
 class Replays(CommandLineTest):
     def replay(self, text, *options, remark=""):
-        return rows("replay",
-                    "--trace",
-                    self.file("trace.csv", text),
-                    *(MEASURED if "--mu-r" in options else FINGER),
-                    *options,
-                    remark=remark)
-
-    def test_press_and_drag(self):
-        free, touch, stick, slip = self.replay(TRACE)
-        self.assertEqual(header("replay", "--trace", self.directory / "trace.csv", *FINGER), COLUMNS)
-        self.assertEqual([row["state"] for row in (free, touch, stick, slip)], ["free", "stick", "stick", "slip"])
-        self.assertEqual((free["load"], free["fx"]), (0, 0))
-        self.assertAlmostEqual(stick["load"], 1, delta=1e-12)
-        self.assertAlmostEqual(stick["fx"], -0.1, delta=1e-12)
-        self.assertEqual((stick["px"], stick["moment"]), (0, 0))
-        self.assertTrue(math.isnan(stick["cor"]))
-        self.assertAlmostEqual(slip["fx"], -0.6, delta=1e-9)
-        self.assertAlmostEqual(slip["px"], 0.0044, delta=1e-9)
-        self.assertEqual(slip["cor"], math.inf)
+        return rows("replay", "--trace", self.file("trace.csv", text), *(MEASURED if "--mu-r" in options else FINGER),
+                    *options, remark=remark)
 
     def test_the_exact_curve_of_a_measured_profile_has_the_error_of_its_samples(self):
         profile = self.file(
@@ -75,9 +62,7 @@ class Replays(CommandLineTest):
         self.assertEqual(done.stderr.count("limitcurve: note: the trace has no column 'twist'"), 1, done.stderr)
         self.assertNotIn("no column", plain.stderr)
         self.assertEqual(run("replay", "--trace", "-", *FINGER, input=still).stdout, plain.stdout)
-        patch = [
-            "--patch", "rectangle:x=0.01,y=0.005", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"
-        ]
+        patch = ["--patch", "rectangle:x=0.01,y=0.005", *FINGER[4:]]
         done = run("replay", "--trace", self.directory / "still.csv", *patch)
         self.assertEqual(done.stdout, run("replay", "--trace", self.directory / "told.csv", *patch).stdout)
         self.assertIn("no column 'twist'", done.stderr)
@@ -85,8 +70,7 @@ class Replays(CommandLineTest):
     def settled(self, mu_r, *options):
         """Force after 100 mm and 20 rad about a centre of rotation at 5 mm, at 1 N, and standard error."""
         text = "time,x,y,z,twist\n" + "".join(f"{i / 1000},{1e-4 * i!r},0,-0.001,{0.02 * i!r}\n" for i in range(1000))
-        done = run("replay", "--trace", self.file("trace.csv", text), "--law", "hertz", "--mu-r", mu_r, "--mu", "0.6",
-                   "--stiffness", "1000", "--twist-stiffness", "0.036", *options)
+        done = run("replay", "--trace", self.file("trace.csv", text), *MEASURED, "--mu-r", mu_r, *options)
         self.assertEqual(done.returncode, 0, done.stderr)
         return -float(done.stdout.splitlines()[-1].split(",")[7]), done.stderr
 
@@ -136,12 +120,95 @@ class Replays(CommandLineTest):
         ])
         self.assertEqual(run("replay", "--quiet", "--trace", self.directory / "trace.csv", *FINGER).stderr, "")
 
-    def test_a_leap_beyond_the_maximum_speed_is_told(self):
-        metre = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n"
-        self.assertEqual([row["state"] for row in self.replay(metre, remark="maximum speed")][3:],
-                         ["slip", "invalid", "slip"])
-        self.assertEqual([row["state"] for row in self.replay(metre, "--max-speed", "inf")][3:],
-                         ["slip", "slip", "slip"])
+    def test_a_leap_may_be_allowed(self):
+        leap = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n"
+        for allowed, remark, state in ((), "maximum speed", "invalid"), (("--max-speed", "inf"), "", "slip"):
+            found = self.replay(leap, *allowed, remark=remark)
+            self.assertEqual([row["state"] for row in found], ["free", "stick", "stick", "slip", state, "slip"])
+
+
+class Files(CommandLineTest):
+    def replayed(self, text):
+        return run("replay", "--trace", self.file("trace.csv", text), *FINGER)
+
+    def test_forms_that_mean_the_same(self):
+        plain = self.replayed(TRACE)
+        self.assertEqual(plain.returncode, 0, plain.stderr)
+        table = [line.split(",") for line in TRACE.splitlines()]
+        forms = {
+            "comments": "# made by hand\n" + TRACE.replace("\n0.002", "\n  # a remark, with a comma\n\n0.002"),
+            "carriage returns": TRACE.replace("\n", "\r\n"),
+            "byte order mark": "\ufeff" + TRACE,
+            "no last line end": TRACE[:-1],
+            "blanks": TRACE.replace(",", " , "),
+            "quotes": "\n".join(",".join(f'"{field}"' for field in row) for row in table) + "\n",
+            "another order": "\n".join(",".join(reversed(row)) for row in table) + "\n",
+            "more columns": "\n".join(",".join(["note", *row, "z2"] if i == 0 else ['"a, b ""c"""', *row, "nan"])
+                                      for i, row in enumerate(table)) + "\n",
+        }
+        for form, text in forms.items():
+            done = self.replayed(text)
+            self.assertEqual((done.returncode, done.stdout), (0, plain.stdout), f"{form}: {done.stderr}")
+
+    def test_files_of_another_kind(self):
+        for path, told in ((self.directory / "absent.csv", ["absent.csv", "No such file"]), (self.directory, "directory")):
+            self.assert_fails(2, told, "replay", "--trace", path, *FINGER)
+
+    def test_gains_are_checked_as_replay_reads_the_trace(self):
+        call = ["replay", "--trace", self.file("trace.csv", TRACE), *FINGER]
+        plain = run(*call).stdout
+        for device in ["b=0.51", "b=0.51,b_r=1.9e-5", "b=0.051,T=1e-4", "b=1.51,b_r=5.5e-5,delay=1"]:
+            done = run(*call, "--check-gains", device)
+            self.assertEqual((done.stdout, "the twist is not checked" in done.stderr), (plain, "b_r" not in device))
+        # In units, with a header further down, through a pipe.
+        text = "logged by a jig\ntime,x,y,z,twist\n" + "".join(f"{t},0,0,-1,0\n" for t in [0, 0.1, 10.1, 10.2])
+        jitter = ["replay", *FINGER, "--units", "time=ms,length=mm", "--damping", "2", "--trace", "-", "--check-gains"]
+        for device, status in (("b=15.2", 0), ("b=15", 2), ("b=2.6,T=0.001", 0)):
+            self.assertEqual(run(*jitter, device, input=text).returncode, status)
+
+
+class Scenes(CommandLineTest):
+    SPACE = ",pz,fz,nx,ny,nz"
+    DETAILS = ",margin,hold_load,corx,cory,corz,dissipated"
+
+    def test_the_plane_is_as_ever(self):
+        call = ["replay", "--trace", self.file("trace.csv", TRACE), *FINGER]
+        plain = run(*call).stdout
+        self.assertEqual(plain.split("\n", 1)[0], COLUMNS)
+        for options in [["--surface", "plane"], ["--body", "fixed"], ["--fingers", "1"], ["--damping", "0"],
+                        ["--max-speed", "inf"], ["--fault-decay", "1"]]:
+            self.assertEqual(run(*call, *options).stdout, plain, options)
+        details = run(*call, "--details").stdout
+        self.assertEqual(details.split("\n", 1)[0], COLUMNS + self.DETAILS)
+        for more, less in zip(details.splitlines(), plain.splitlines(), strict=True):
+            self.assertTrue(more.startswith(less), more)
+
+    def test_other_surfaces(self):
+        for surface, top in [("capsule:radius=0.01,length=0.04", 0.03), ("cylinder:radius=0.05,length=0.1", 0.05),
+                             ("box:z=0.02,y=0.1,x=0.1", 0.01), ("sphere:radius=0.05", 0.05)]:
+            trace = f"time,x,y,z,twist\n0,0,0,{top + 0.001},0\n1,0,0,{top - 0.001},0\n2,0.0001,0,{top - 0.001},0.5\n"
+            last = rows("replay", "--trace", self.file("trace.csv", trace), *FINGER, "--surface", surface)[-1]
+            self.assertAlmostEqual(last["load"], 1, delta=3e-3, msg=surface)
+            self.assertAlmostEqual(last["pz"], top, delta=2e-6, msg=surface)
+            self.assertEqual(",".join(last), COLUMNS + self.SPACE)
+
+    def test_a_free_block_is_carried(self):
+        options = [
+            "--surface", "box:x=0.12,y=0.04,z=0.04", "--fingers", "2", "--body", "free:mass=0.1", "--damping", "2",
+            "--details"
+        ]
+        call = ["replay", "--trace", DATA / "scenes" / "pinch.csv", *FINGER, *options]
+        self.assertEqual(header(*call).split(",")[-7:], ["bx", "by", "bz", "bqw", "bqx", "bqy", "bqz"])
+        last = rows(*call)[-1]
+        self.assertAlmostEqual(last["bx"], 0.03, delta=1e-5)
+        self.assertAlmostEqual(last["bz"], -0.1 * 9.81 / 2000, delta=1e-5)
+        # tan of half its angle, as the fingers turned.
+        self.assertAlmostEqual(last["bqz"] / last["bqw"], 0.2, delta=2e-3)
+        self.assertEqual((last["state"], last["state2"]), ("stick", "stick"))
+        self.assertAlmostEqual(last["load"] + last["load2"], 6, delta=1e-6)
+        self.assertAlmostEqual(last["nz2"], -1, delta=1e-6)
+        without_gravity = rows(*call[:-4], "free:mass=0.1,inertia=1e-4,gravity=0", "--damping", "2", "--details")[-1]
+        self.assertAlmostEqual(without_gravity["bz"], 0, delta=1e-8)
 
 
 if __name__ == "__main__":

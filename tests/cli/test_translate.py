@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
 """translate: the numbers for physics engines, and what a number in an engine means."""
 
-import csv
 import subprocess
 import sys
 import unittest
 
-from command_line import DATA, EXECUTABLE, CommandLineTest, header, rows, run
+from command_line import DATA, EXECUTABLE, CommandLineTest, data, header, rows, run
 
 
 class Translate(CommandLineTest):
@@ -29,9 +28,9 @@ class Translate(CommandLineTest):
                  if row["parameter"] == "option.cone"}
         self.assertEqual(cones, {("ellipse", 1, 1, "elliptic"), ("diamond", 0, 1, "pyramidal")})
 
-    def facts(self, name):
-        with (DATA / "engines" / f"{name}.csv").open(encoding="utf-8") as file:
-            return list(csv.DictReader(line for line in file if not line.startswith("#")))
+    @staticmethod
+    def facts(name):
+        return data(f"engines/{name}.csv")
 
     def test_every_row_says_its_formula_and_what_two_bodies_make(self):
         self.assertNotIn('"', run(*self.CONTACT).stdout)  # for readers that split at commas
@@ -121,27 +120,17 @@ class Translate(CommandLineTest):
 
     def test_several_frictions(self):
         """mu_r follows mu: the rows of each are those of a call of its own."""
-        call = self.CONTACT[:self.CONTACT.index("--mu")] + ["--load", "16"]
-        both = rows(*call, "--mu", "0.4,1.2")
+        call = [*self.CONTACT[:5], *self.CONTACT[7:], "--mu"]
+        both = [(row.pop("mu"), row) for row in rows(*call, "0.4,1.2")]
         for mu in (0.4, 1.2):
-            self.assertEqual([{
-                key: value
-                for key, value in row.items()
-                if key != "mu"
-            }
-                              for row in both
-                              if row["mu"] == mu], rows(*call, "--mu", str(mu)))
+            self.assertEqual([row for its, row in both if its == mu], rows(*call, mu))
 
     def test_a_measured_moment_needs_no_law(self):
-        done = run("translate", "--mu", "0.5", "--mu-r", "0.002", "--load", "3")
-        self.assertIn("Hertz", done.stderr)
-        found, known = ({
-            row["parameter"]: row["value"]
-            for row in rows("translate", "--quiet", *law, "--mu", "0.5", "--mu-r", "0.002", "--load", "3")
-        }
-                        for law in ([], ["--law", "uniform"]))
-        for parameter, value in found.items():
-            self.assert_close(value, known[parameter], 1e-14)
+        call = ["translate", "--mu", "0.5", "--mu-r", "0.002", "--load", "3"]
+        self.assertIn("Hertz", run(*call).stderr)
+        for found, known in zip(rows(*call, "--quiet"), rows(*call, "--law", "uniform"), strict=True):
+            self.assertEqual(found["parameter"], known["parameter"])
+            self.assert_close(found["value"], known["value"], 1e-14)
 
     def test_explained_on_standard_error(self):
         done = run(*self.CONTACT, "--explain")

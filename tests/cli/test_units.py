@@ -5,10 +5,9 @@ converts."""
 import math
 import unittest
 
-from command_line import CommandLineTest, rows, run
+from command_line import FINGER, CommandLineTest, rows, run
 
-LAW = ["--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.6"]
-FINGER = ["--stiffness", "1000", "--twist-stiffness", "0.036"]
+LAW, SPRINGS = [*FINGER[:3], "constant:a=0.005", *FINGER[4:6]], FINGER[6:]
 
 
 class Units(CommandLineTest):
@@ -30,7 +29,7 @@ class Units(CommandLineTest):
         commands = [["patch", "--twists", twists], ["validate"], ["choose", "--tolerance", "0.1"],
                     ["translate", "--mu", "0.8"], ["hold", "--mu", "0.5", "--force", "0,-3", "--moment", "6e-3"],
                     ["fit", "friction", "--data", pushes],
-                    ["replay", "--trace", self.trace((0, 0, 0, -0.001, 0)), "--mu", "0.5", *FINGER]]
+                    ["replay", "--trace", self.trace((0, 0, 0, -0.001, 0)), "--mu", "0.5", *SPRINGS]]
         for command in commands:
             for patch, across in (("rectangle:x=20,y=10", 20), ("rectangle:x=0.02,y=0.01", 0)):
                 self.assertEqual(
@@ -73,7 +72,7 @@ class Units(CommandLineTest):
             (f"{replay} {wraps}",), (f"{replay} {deep}", "a load of 2000 N"),
             (f"{replay} {wraps} --surface sphere:radius=25", "50 m across: lengths must be", "a load of 24999 N"),
             (f"fit ratio --quiet --data {slips}",), (f"fit ratio --data {slips}", "force exceeds the load in ")):
-            words = [one for word in command.split() for one in {"$LAW": LAW, "$FINGER": FINGER}.get(word, [word])]
+            words = [one for word in command.split() for one in {"$LAW": LAW, "$FINGER": SPRINGS}.get(word, [word])]
             said = [
                 line for line in self.asked(*words)
                 if not any(word in line for word in ("inside the curve", "scatter", "grip begins", "contact radius"))
@@ -94,7 +93,7 @@ class Units(CommandLineTest):
             ends = loads.split(",")
             trace = self.trace(*((i / 1000, 0, 0, -float(load) / 1000, 0) for i, load in enumerate(ends)))
             for call in (["p-curves", "--loads", loads], ["c-curves", "--loads", loads, "--cors", "0,0.001,inf"],
-                         ["translate", "--load", ends[0], "--loads", loads], ["replay", "--trace", trace, *FINGER],
+                         ["translate", "--load", ends[0], "--loads", loads], ["replay", "--trace", trace, *SPRINGS],
                          ["choose", "--tolerance", "0.5", "--scene", "--loads", loads]):
                 said = self.asked(*call, *common)
                 self.assertEqual(len(said), told != "", (call, law, said))

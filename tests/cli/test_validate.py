@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 from command_line import CommandLineTest, rows, run
-from patch_case import by_points
+from test_patch import by_points
 
 
 class Validate(CommandLineTest):
