@@ -97,7 +97,6 @@ def draw(measured, folder):
         figure, axes = plt.subplots(1,
                                     len(panels),
                                     figsize=(9.6 if len(panels) > 1 else 6.4, 3.2),
-                                    layout="constrained",
                                     squeeze=False)
         style = styles(list(rows.groups("series")))
         for one, (panel, labels) in zip(axes[0], panels.items()):

@@ -77,6 +77,7 @@ plt.rcParams.update({
     "legend.fontsize": 8.5,
     "legend.handlelength": 3,
     "mathtext.fontset": "dejavusans",
+    "figure.constrained_layout.use": True,
     "figure.dpi": 100,
     "savefig.dpi": 160,
     # words stay text: half the bytes, and a reader can search it; FONTS says what replaces a missing font
@@ -145,6 +146,21 @@ def _value(text):
 
 def quadrant(axes, title, x_label, y_label):
     axes.set(title=title, xlabel=x_label, ylabel=y_label, xlim=(0, None), ylim=(0, None))
+
+
+def note(axes, text, place, offset, **look):
+    """Text at an offset [points] from a place of the data."""
+    axes.annotate(text, place, offset, **{"textcoords": "offset points", "fontsize": 8, **look})
+
+
+def only_ticks(axis, values):
+    axis.set_ticks(values, [f"{value:g}" for value in values])
+    axis.set_minor_locator(matplotlib.ticker.NullLocator())
+
+
+def framed(lens):
+    for spine in lens.spines.values():
+        spine.set(visible=True, color=FAINT)
 
 
 def mark_ratios(axes):

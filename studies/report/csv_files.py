@@ -72,12 +72,8 @@ def curves(files):
     for (law, moment_ratio), rows in zip(files.moment_ratios.items(), points):
         for c, force, moment, x, y in reversed(numbers(rows, "c", "force", "moment", "x", "y")):
             ratio = force / moment * moment_ratio**2 / c if 0 < c < math.inf else math.nan
-            error.append({
-                "law": law,
-                "angle": math.atan2(y, x),
-                "over_estimate": 1 / math.hypot(x, y) - 1,
-                "cor_ratio": ratio
-            })
+            error.append({"law": law, "angle": math.atan2(y, x), "over_estimate": 1 / math.hypot(x, y) - 1,
+                          "cor_ratio": ratio})
     files.write("ellipse_error", error)
     files.gather("validate", [({}, ["validate", "--law", law]) for law in laws])
 
@@ -85,11 +81,8 @@ def curves(files):
 def load_curves(files):
     """p_curves, c_curves: law, radius_law, mu, and `p-curves` or `c-curves`, with a radius that grows
     and one that does not, equal at 1.5 N."""
-    runs = [({
-        "law": "hertz",
-        "radius_law": radius_law,
-        "mu": 0.6
-    }, ["--law", "hertz", "--radius-law", radius_law, "--mu", 0.6])
+    runs = [({"law": "hertz", "radius_law": radius_law, "mu": 0.6},
+             ["--law", "hertz", "--radius-law", radius_law, "--mu", 0.6])
             for radius_law in (f"constant:a={0.00207 * 1.5**0.259!r}", GROWING)]
     fine = listed([0.05 * i for i in range(61)])
     files.gather("p_curves", [(cells, ["p-curves", "--loads", "0.5,1,1.5,2,2.5", *words]) for cells, words in runs])
@@ -110,8 +103,8 @@ def tables(files):
         error = []
         for law in ("hertz", "uniform"):
             table = f"{scratch}/{sizes.index((law, '1e-8'))}.csv"
-            looked_up = numbers(files.command.rows("lookup", "--table", table, "--c", places), "force", "moment")
-            exact = numbers(files.command.rows("eval", "--law", law, "--c", places), "force", "moment")
+            looked_up, exact = (numbers(files.command.rows(*of, "--c", places), "force", "moment")
+                                for of in (("lookup", "--table", table), ("eval", "--law", law)))
             error += [{
                 "law": law,
                 "tolerance": 1e-8,
@@ -125,13 +118,8 @@ def tables(files):
         for law in ("hertz", "uniform"):
             name = f"table-{row['material']}-{law}.csv"
             radius = float(row["mu_r"]) / (float(row["mu"]) * files.moment_ratios[law])
-            runs.append(({
-                "material": row["material"],
-                "mu": row["mu"],
-                "mu_r": row["mu_r"],
-                "radius": radius,
-                "file": name
-            }, ["table", "--law", law, "--tolerance", "1e-6", "-o", files.folder / name]))
+            leading = {key: row[key] for key in ("material", "mu", "mu_r")} | {"radius": radius, "file": name}
+            runs.append((leading, ["table", "--law", law, "--tolerance", "1e-6", "-o", files.folder / name]))
     files.gather("materials", runs)
 
 
@@ -179,18 +167,10 @@ def steady_twist(files):
         trace = Path(scratch) / "trace.csv"
         steps = (i / 1000 for i in range(501))
         trace.write_text("time,x,y,z,twist\n" + "".join(f"{x},{x},0,-0.001,{x}\n" for x in steps), encoding="utf-8")
-        finger = [
-            "--trace", trace, *options({
-                "law": "hertz",
-                "radius_law": "constant:a=1",
-                "mu": 1,
-                "stiffness": 1000,
-                "tolerance": 1e-8
-            })
-        ]
-        calls = [[
-            "replay", *finger, "--twist-stiffness", ratio * 1000 * m0 ** 2, "--curve", curve, "--projection", projection
-        ] for curve, projection, ratio in kinds]
+        finger = options({"trace": trace, "law": "hertz", "radius_law": "constant:a=1", "mu": 1, "stiffness": 1000,
+                          "tolerance": 1e-8})
+        calls = [["replay", *finger, "--twist-stiffness", ratio * 1000 * m0 ** 2, "--curve", curve, "--projection",
+                  projection] for curve, projection, ratio in kinds]
         last = files.command.each(calls, lambda run: list(run)[-1])
     rows = []
     for (curve, projection, ratio), (fx, fy, moment) in zip(kinds, numbers(last, "fx", "fy", "moment")):
@@ -281,26 +261,16 @@ def held(rows):
     return itertools.takewhile(lambda row: row["state"] != "free", rows)
 
 
-def copy(files, name, source):
-    """NAME.csv as it is in data/."""
-    write_whole(files.folder / f"{name}.csv", (DATA / source).read_bytes())
-
-
 def others(files):
     """translate: law, radius_law, mu, load, `translate`. engine_drag, work_precision_…:
     data/engines/drag*.csv and data/work_precision/, which were measured once (data/README.md)."""
     contacts = [{"law": law, "radius_law": GROWING, "mu": 0.6, "load": 2} for law in ("hertz", "uniform")]
     files.gather("translate", [(contact, ["translate", *options(contact)]) for contact in contacts])
     measured = [row for name in ("drag_pypi", "drag") for row in read(DATA / "engines" / f"{name}.csv")]
-    files.write("engine_drag",
-                [{
-                    name: row[name]
-                    for name in measured[-1]
-                }
-                 for row in measured
-                 if row["engine"] in ("mujoco", "bullet", "ode") and row.get("contact", "ball") == "ball"])
+    files.write("engine_drag", [{name: row[name] for name in measured[-1]} for row in measured
+                                if row["engine"] in ("mujoco", "bullet", "ode") and row.get("contact", "ball") == "ball"])
     for name in ("wrench", "step", "patch"):
-        copy(files, f"work_precision_{name}", f"work_precision/{name}.csv")
+        write_whole(files.folder / f"work_precision_{name}.csv", (DATA / "work_precision" / f"{name}.csv").read_bytes())
 
 
 PARTS = (curves, load_curves, tables, replays, steady_twist, fits, patches, pivot, others)

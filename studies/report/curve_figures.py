@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""The report's figures of limit curves, approximations, tables and fits, one function each: takes the CSVs (see
-csv_files.py for their columns), returns a figure."""
+"""The report's figures of limit curves, approximations, tables and fits."""
 
 import math
 
-from .chart_style import (BLUE, ELLIPSE, FAINT, GREEN, GRID, INK, ORANGE, VERMILION, Table, law_style, legend_in_sight,
-                          plt, quadrant, short)
+from .chart_style import (BLUE, ELLIPSE, FAINT, GREEN, GRID, INK, ORANGE, VERMILION, Table, framed, law_style,
+                          legend_in_sight, note, only_ticks, plt, quadrant, short)
 
-QUARTER = [math.pi / 2 * i / 72 for i in range(73)]
+CIRCLE = [[along(math.pi / 2 * i / 72) for i in range(73)] for along in (math.cos, math.sin)]
 
 
 def limit_curves(data):
     """Paper, Fig. 3, corrected: every law lies inside the ellipse."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.7), layout="constrained")
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.7))
     lens = left.inset_axes([0.06, 0.06, 0.52, 0.52])
     for law, rows in data["curves"].groups("law").items():
         rows = Table(rows[::5])  # chords of 2.5 degrees look round
@@ -20,14 +19,12 @@ def limit_curves(data):
             axes.plot(rows.column("x"), rows.column("y"), label=law, **law_style(law))
         right.plot(rows.column("force"), rows.column("moment"), **law_style(law))
     for axes in (left, lens):
-        axes.plot([math.cos(t) for t in QUARTER], [math.sin(t) for t in QUARTER], label="ellipse", **ELLIPSE)
-    for axes in (left, lens):
+        axes.plot(*CIRCLE, label="ellipse", **ELLIPSE)
         axes.set_aspect("equal", adjustable="box")
     quadrant(left, "Normalised by each law's own limits", "force  $F/(μP)$", "moment  $M/Γ$")
     left.set(xlim=(0, 1.05), ylim=(0, 1.05))
     lens.set(xlim=(0.61, 0.76), ylim=(0.61, 0.76), xticks=[], yticks=[])
-    for spine in lens.spines.values():
-        spine.set(visible=True, color=FAINT)
+    framed(lens)
     left.indicate_inset_zoom(lens, edgecolor=FAINT)
     quadrant(right, "In units of friction × load × contact radius", "force  $F/(\\mu P)$", "moment  $M/(\\mu P a)$")
     right.set(xlim=(0, 1.05), ylim=(0, 1.05 * max(data["curves"].column("moment"))))
@@ -38,37 +35,21 @@ def limit_curves(data):
 def load_curves(data):
     """Paper, Fig. 4: p-curves (load fixed) and c-curves (COR fixed), with a constant and with a growing radius."""
     radius_laws = list(data["p_curves"].groups("radius_law"))
-    figure, panels = plt.subplots(1,
-                                  len(radius_laws),
-                                  figsize=(9.6, 4.4),
-                                  layout="constrained",
-                                  sharex=True,
-                                  sharey=True)
-    top_force, top_moment = 1.28 * max(data["p_curves"].column("force")), 1.12 * 1e3 * max(
-        data["p_curves"].column("moment"))
+    figure, panels = plt.subplots(1, len(radius_laws), figsize=(9.6, 4.4), sharex=True, sharey=True)
+    top_force = 1.28 * max(data["p_curves"].column("force"))
+    top_moment = 1.12 * 1e3 * max(data["p_curves"].column("moment"))
     for axes, radius_law in zip(panels, radius_laws):
         for load, rows in data["p_curves"].where(radius_law=radius_law).groups("load").items():
             axes.plot(rows.column("force"), rows.column("moment", 1e3), color=BLUE)
-            axes.annotate(f"{load:g} N", (0, max(rows.column("moment", 1e3))), (3, 3),
-                          textcoords="offset points",
-                          color=BLUE,
-                          fontsize=8,
-                          bbox={
-                              "facecolor": "white",
-                              "edgecolor": "none",
-                              "pad": 0.6
-                          })
+            note(axes, f"{load:g} N", (0, max(rows.column("moment", 1e3))), (3, 3), color=BLUE,
+                 bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6})
         for cor, rows in data["c_curves"].where(radius_law=radius_law).groups("c").items():
             force, moment = rows.column("force"), rows.column("moment", 1e3)
             inside = [i for i in range(len(force)) if force[i] <= top_force * 0.85 and moment[i] <= top_moment * 0.94]
             axes.plot(force[:inside[-1] + 1], moment[:inside[-1] + 1], color=ORANGE, linewidth=1.2)
             if 0 < cor < math.inf:
                 end = (force[inside[-1]], moment[inside[-1]])
-                axes.annotate(f"c = {cor * 1e3:g} mm",
-                              end, (3, 1),
-                              textcoords="offset points",
-                              color="#a06a00",
-                              fontsize=8)
+                note(axes, f"c = {cor * 1e3:g} mm", end, (3, 1), color="#a06a00")
         quadrant(axes, title_of_radius_law(radius_law), "friction force  F  [N]", "friction moment  M  [N mm]")
         axes.set(xlim=(0, top_force), ylim=(0, top_moment))
         axes.label_outer()
@@ -88,7 +69,7 @@ def title_of_radius_law(text):
 
 def ellipse_error(data):
     """Over-estimate of the ellipse, and the error of its centre of rotation."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), layout="constrained")
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9))
     groups = data["ellipse_error"].groups("law")
     for law in sorted(groups, key=lambda name: -max(groups[name].column("over_estimate"))):
         rows = groups[law]
@@ -99,9 +80,7 @@ def ellipse_error(data):
     left.set(title="Capacity over-estimated by [%]", xlabel=direction, xlim=(0, 90), ylim=(0, None))
     right.set(title="COR distance, ellipse / true", xlabel=direction, xlim=(0, 90), yscale="log")
     right.axhline(1, color=INK, linewidth=0.8)
-    ratios = (0.6, 0.7, 0.8, 1, 1.2, 1.5, 1.8)
-    right.set_yticks(ratios, [f"{ratio:g}" for ratio in ratios])
-    right.minorticks_off()
+    only_ticks(right.yaxis, (0.6, 0.7, 0.8, 1, 1.2, 1.5, 1.8))
     for axes in (left, right):
         axes.set_xticks(range(0, 91, 15))
     legend_in_sight(figure, left)
@@ -121,7 +100,7 @@ MODELS = {
 def models(data):
     """Largest radial error of each approximation, law by law."""
     laws = list(data["validate"].groups("law"))
-    figure, axes = plt.subplots(figsize=(9.6, 0.32 * len(laws) + 1.0), layout="constrained")
+    figure, axes = plt.subplots(figsize=(9.6, 0.32 * len(laws) + 1.0))
     for model, (label, marker, colour) in MODELS.items():
         rows = data["validate"].where(model=model)
         axes.plot(rows.column("max_error", 100), [laws.index(row["law"]) for row in rows],
@@ -131,16 +110,14 @@ def models(data):
                   markersize=6)
     axes.set(title="Largest error of the capacity in any direction [%]", xscale="log", ylim=(len(laws) - 0.5, -0.5))
     axes.set_yticks(range(len(laws)), laws)
-    ticks = (0.2, 0.5, 1, 2, 5, 10, 20, 50)
-    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
-    axes.minorticks_off()
+    only_ticks(axes.xaxis, (0.2, 0.5, 1, 2, 5, 10, 20, 50))
     legend_in_sight(figure, axes)
     return figure
 
 
 def tables(data):
     """Bytes of a look-up table at each tolerance, and its error between the nodes."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), layout="constrained", width_ratios=(1, 1.15))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), width_ratios=(1, 1.15))
     for law, rows in data["tables"].groups("law").items():
         left.plot(rows.column("tolerance"), rows.column("bytes"), marker="o", markersize=3, label=law, **law_style(law))
     tolerances = data["tables"].column("tolerance")
@@ -148,26 +125,15 @@ def tables(data):
     left.set_xlim(max(tolerances) * 2, min(tolerances) / 2)
     level_one = 32768
     left.axhline(level_one, color=FAINT, linewidth=0.8, dashes=(2, 2))
-    left.annotate("a level-1 cache, 32 KiB", (max(tolerances) * 1.5, level_one), (0, 3),
-                  textcoords="offset points",
-                  fontsize=8,
-                  color=FAINT)
+    note(left, "a level-1 cache, 32 KiB", (max(tolerances) * 1.5, level_one), (0, 3), color=FAINT)
     left.legend(loc="upper left", bbox_to_anchor=(0.0, 0.9), fontsize=7.5, handlelength=2.6, labelspacing=0.25)
     tolerance = min(data["table_error"].column("tolerance"))
     shown = data["table_error"].where(tolerance=tolerance)
     for law, rows in shown.groups("law").items():
         style = law_style(law)
-        right.plot(rows.column("spin_fraction"),
-                   rows.column("force_error", 1 / tolerance),
-                   linewidth=0.9,
-                   label=f"{law}, f",
-                   **style)
-        right.plot(rows.column("spin_fraction"),
-                   rows.column("moment_error", 1 / tolerance),
-                   linewidth=0.9,
-                   alpha=0.45,
-                   label=f"{law}, m",
-                   color=style["color"])
+        for part, look in (("force", style), ("moment", {"alpha": 0.45, "color": style["color"]})):
+            right.plot(rows.column("spin_fraction"), rows.column(f"{part}_error", 1 / tolerance), linewidth=0.9,
+                       label=f"{law}, {'f' if part == 'force' else 'm'}", **look)
     right.axhspan(-1, 1, color=GRID, alpha=0.5, zorder=0, linewidth=0)
     right.set(title=f"Error of a table of {short(tolerance)}, in tolerances", xlim=(0, 1), ylim=(-1.45, 1.45),
               xlabel="spin fraction u of the slip:  0 slides, ½ turns about the rim, 1 spins")
@@ -180,7 +146,7 @@ RESIDUALS_SHOWN = 6
 
 def fits(data):
     """A limit curve fitted to measured slips, per newton of load; and the residuals."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1), layout="constrained")
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1))
     samples, curve = data["fit_residuals"], data["curves"].where(law="hertz")
     mu, mu_r, gamma = (data["fits"].where(data="slips", parameter=name)[0]["value"] for name in ("mu", "mu_r", "gamma"))
     left.plot([row["force"] / row["load"] for row in samples],
@@ -222,24 +188,19 @@ ENGINE_STYLES = {  # marker, colour, filled
 
 def engines(data):
     """One finger dragged in each physics engine: the wrenches, the model curves, and the exact curve."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.4), layout="constrained")
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.4))
     drag = data["engine_drag"]
     exact = drag.where(engine=drag[0]["engine"], model=drag[0]["model"])
     curve = data["curves"].where(law="hertz")
     left.plot(curve.column("x"), curve.column("y"), color=INK, linewidth=1.8, label="exact (Hertz)", zorder=3)
-    left.plot([math.cos(t) for t in QUARTER], [math.sin(t) for t in QUARTER], color=BLUE, linewidth=0.9)
+    left.plot(*CIRCLE, color=BLUE, linewidth=0.9)
     left.plot([0, 1], [1, 0], color=GREEN, linewidth=0.9)
     left.plot([0, 1, 1], [1, 1, 0], color=ORANGE, linewidth=0.9)
     ends = (min(row["c"] for row in exact if row["c"] > 0), max(row["c"] for row in exact if math.isfinite(row["c"])))
     for (engine, model), rows in drag.groups("engine", "model").items():
         marker, colour, filled = ENGINE_STYLES[f"{engine} {model}"]
-        style = {
-            "color": colour,
-            "marker": marker,
-            "markersize": 5.5,
-            "markerfacecolor": colour if filled else "none",
-            "clip_on": False
-        }
+        style = {"color": colour, "marker": marker, "markersize": 5.5, "clip_on": False,
+                 "markerfacecolor": colour if filled else "none"}
         name = {"mujoco": "MuJoCo", "ode": "ODE", "bullet": "Bullet"}[engine]
         label = f"{name} {rows[0]['version'].removeprefix('PyBullet ')}, {model}"
         left.plot(rows.column("force"), rows.column("moment"), linestyle="", label=label, zorder=4, **style)
@@ -255,7 +216,6 @@ def engines(data):
     quadrant(right, "Error at the same centre of rotation", "centre of rotation  $c/a$",
              "distance from the exact wrench, limits = 1")
     right.set(xscale="log", xlim=(0.9 * ends[0], 1.1 * ends[1]), ylim=(0, 1.1))
-    right.set_xticks([0.1, 0.3, 1, 3], ["0.1", "0.3", "1", "3"])
-    right.minorticks_off()
+    only_ticks(right.xaxis, (0.1, 0.3, 1, 3))
     legend_in_sight(figure, left)
     return figure

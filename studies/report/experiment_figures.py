@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The report's figures of the paper's experiment (section 6). One function each: takes the CSVs (see csv_files.py for
-their columns), returns a figure."""
+"""The report's figures of the paper's experiment (section 6)."""
 
 import math
 
-from .chart_style import BLUE, FAINT, GREEN, INK, VERMILION, legend_in_sight, mark_ratios, plt
+from .chart_style import BLUE, FAINT, GREEN, INK, VERMILION, framed, legend_in_sight, mark_ratios, note, plt
 
 BLOCK_LENGTH, BLOCK_HEIGHT = 0.12, 0.04  # m, `limitcurve pivot`'s default
 CASES = {
@@ -48,15 +47,8 @@ def draw_block(axes, rows):
                    for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))]
         axes.plot([1e3 * (row["x"] + x * cosine - y * sine) for x, y in corners],
                   [1e3 * (row["y"] + x * sine + y * cosine) for x, y in corners], color=shade, linewidth=1.1)
-        axes.annotate(
-            f"{row['time']:.1f} s",
-            [1e3 * place
-             for place in (row["x"] - 0.06 * cosine - 0.02 * sine, row["y"] - 0.06 * sine + 0.02 * cosine)], (-3, 0),
-            textcoords="offset points",
-            fontsize=8,
-            color=INK,
-            ha="right",
-            va="center")
+        note(axes, f"{row['time']:.1f} s", [1e3 * place for place in (row["x"] - 0.06 * cosine - 0.02 * sine,
+             row["y"] - 0.06 * sine + 0.02 * cosine)], (-3, 0), color=INK, ha="right", va="center")
     axes.plot([1e3 * row["x"] for row in held], [1e3 * row["y"] for row in held], color=BLUE, linewidth=1.6)
     axes.plot(0, 0, "o", color=VERMILION, markersize=6)
 
@@ -74,7 +66,7 @@ def pivot_operator(data):
 def experiment(data, grip):
     """For each case: poses of the block; x, y of its centre of mass, its angle, the load of a finger and the slip's COR
     against time; the god-object in the [r, rho] plane."""
-    figure, panels = plt.subplots(6, len(CASES), figsize=(9.6, 14), layout="constrained", sharex="row", sharey="row",
+    figure, panels = plt.subplots(6, len(CASES), figsize=(9.6, 14), sharex="row", sharey="row",
                                   height_ratios=(1.5, 1, 1, 0.6, 0.8, 1.5))
     sandpaper = data["materials"].where(material="sandpaper")[0]
     for (poses, place, angle, load, cor, plane), (case, title) in zip(zip(*panels), CASES.items()):
@@ -177,8 +169,7 @@ def draw_plane(axes, held, unit, material):
         lens.tick_params(labelsize=8)
         lens.grid(False)
         steps(lens, [middle], linewidth=1.6)
-        for spine in lens.spines.values():
-            spine.set(visible=True, color=FAINT)
+        framed(lens)
     axes.plot(1e6 * held[0]["r"], 1e3 * held[0]["rho"], "s", color=INK, markersize=4.5)
     largest = max(chosen[0]["load"], held[-1]["load"] if held[-1]["state"] == "stick" else 0)
     axes.set(xlabel="r  [µm]",
@@ -201,7 +192,7 @@ def legend_plane(figure, axes, regrips):
 def pivot_stiffness(data):
     """Rotation of the block before it leaves the fingers, against the twist stiffness, which the paper does not
     give."""
-    figure, axes = plt.subplots(figsize=(9.6, 3.9), layout="constrained")
+    figure, axes = plt.subplots(figsize=(9.6, 3.9))
     looks = {"coupled": {"color": VERMILION, "dashes": (5, 2)}, "exact": {"color": BLUE}}
     for case, rows in data["pivot_stiffness"].groups("case").items():
         axes.plot(rows.column("ratio"),
@@ -214,8 +205,7 @@ def pivot_stiffness(data):
              xlabel="stiffness ratio  $k_r/(k_l (μ_r/μ_l)^2)$",
              ylabel="turned before it leaves  [°]",
              ylim=(0, 95))
-    ticks = (0.1, 1, 10, 100)
-    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    axes.set_xticks((0.1, 1, 10, 100), ("0.1", "1", "10", "100"))
     mark_ratios(axes)
     legend_in_sight(figure, axes)
     return figure

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The report's figures of the god-object: on traces and at a steady twist. One function each: takes the CSVs (see
-csv_files.py for their columns), returns a figure."""
+"""The report's figures of the god-object: on traces and at a steady twist."""
 
 import math
 
-from .chart_style import BLUE, FAINT, INK, VERMILION, legend_in_sight, mark_ratios, plt, quadrant
+from .chart_style import BLUE, FAINT, INK, VERMILION, legend_in_sight, mark_ratios, note, only_ticks, plt, quadrant
 
 TITLES = {"ellipse": "Ellipse, radial (the paper's)", "table": "Exact curve, closest point"}
 TRACE_TITLES = {"press_drag_release": "press, drag, release", "press_twist_release": "press, twist, release",
@@ -19,7 +18,6 @@ def god_object(data):
     figure, panels = plt.subplots(len(boundaries),
                                   len(traces),
                                   figsize=(9.6, 3.1 * len(boundaries)),
-                                  layout="constrained",
                                   sharex=True,
                                   sharey=True)
     for across, trace in enumerate(traces):
@@ -28,7 +26,7 @@ def god_object(data):
             for load, rows in data["replay_limits"].where(boundary=boundary).groups("load").items():
                 rho = rows.column("moment", 1 / run["twist_stiffness"])
                 axes.plot(rows.column("force", 1e3 / run["stiffness"]), rho, color="#c4c4c4", linewidth=0.9)
-                axes.annotate(f"{load:g} N", (0, max(rho)), (4, 2), textcoords="offset points", color=FAINT, fontsize=7)
+                note(axes, f"{load:g} N", (0, max(rho)), (4, 2), color=FAINT, fontsize=7)
             draw_steps(axes, data["replay"].where(trace=trace, boundary=boundary), run)
             if down == 0:
                 axes.set_title(TRACE_TITLES.get(trace, trace))
@@ -63,7 +61,7 @@ def draw_steps(axes, rows, run):
 def felt(data):
     """Rendered force and moment against time on each trace, for ellipse and exact curve."""
     traces = list(data["replay"].groups("trace"))
-    figure, panels = plt.subplots(3, len(traces), figsize=(9.6, 5.2), layout="constrained", sharex="col", sharey="row",
+    figure, panels = plt.subplots(3, len(traces), figsize=(9.6, 5.2), sharex="col", sharey="row",
                                   height_ratios=(0.6, 1, 1))
     looks = {"ellipse": {"color": INK, "dashes": (4, 2), "linewidth": 1.1}, "table": {"color": BLUE, "linewidth": 1.6}}
     for column, trace in zip(zip(*panels), traces):
@@ -117,7 +115,7 @@ def steady_twist(data):
     """Driven long at a constant twist: the error of the wrench over the stiffness ratio, and where it settles on the
     curve."""
     rows = data["steady_twist"]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.3), layout="constrained", width_ratios=(1.18, 1))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.3), width_ratios=(1.18, 1))
     for key, part in rows.groups("boundary", "projection").items():
         label, look = TWIST_LOOKS[key]
         left.plot(part.column("stiffness_ratio"), part.column("error", 100), label=label, **look)
@@ -126,9 +124,7 @@ def steady_twist(data):
              xlabel="stiffness ratio  κ = $k_r/(k_l m_0^2 a^2)$",
              ylim=(-3, None))
     left.set_xlim(min(rows.column("stiffness_ratio")), max(rows.column("stiffness_ratio")))
-    ratios = (0.1, 0.2, 0.5, 1, 2, 5, 10)
-    left.set_xticks(ratios, [f"{ratio:g}" for ratio in ratios])
-    left.minorticks_off()
+    only_ticks(left.xaxis, (0.1, 0.2, 0.5, 1, 2, 5, 10))
     left.legend(loc="upper left", bbox_to_anchor=(0, 0.86), handlelength=3)
     mark_ratios(left)
 
@@ -142,11 +138,11 @@ def steady_twist(data):
         row = min(radial, key=lambda one: abs(math.log(one["stiffness_ratio"] / ratio)))
         point = (row["force"], row["moment"] / moment_ratio)
         right.plot(*point, "o", color=VERMILION, markersize=4)
-        beside = {"xytext": (-8, -4), "ha": "right"} if point[0] > 0.3 else {"xytext": (-1, -14), "ha": "center"}
-        right.annotate(f"κ = {ratio:g}", point, textcoords="offset points", color=VERMILION, fontsize=8, **beside)
+        offset, side = ((-8, -4), "right") if point[0] > 0.3 else ((-1, -14), "center")
+        note(right, f"κ = {ratio:g}", point, offset, color=VERMILION, ha=side)
     truth = (rows[0]["exact_force"], rows[0]["exact_moment"] / moment_ratio)
     right.plot(*truth, "o", color=BLUE, markersize=7)
-    right.annotate("closest point:\nevery κ", truth, (6, 3), textcoords="offset points", color=BLUE, fontsize=8.5)
+    note(right, "closest point:\nevery κ", truth, (6, 3), color=BLUE, fontsize=8.5)
     quadrant(right, "Where the wrench settles", "force  $F/(μP)$", "moment  $M/Γ$")
     right.set(xlim=(0, 1.24), ylim=(0, 1.1), aspect="equal")
     return figure

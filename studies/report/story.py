@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The report's story: its figures, what to see in each, what to do about it, and tables. It only draws; every number
-comes from the CSV files."""
+"""The report's story: its figures, what to see in each, what to do about it, and tables. It only draws: each figure is a
+function of the CSV files (csv_files.py has their columns), and so is every number."""
 
 import html
 

@@ -4,43 +4,36 @@ draws, and what ends it early. The whole page is tested in a browser, by tests/s
 
     LIMITCURVE=EXECUTABLE LIMITCURVE_DATA=data PYTHONPATH=tests/cli python3 -B studies/report/test_report.py"""
 
-import csv
 import os
 import resource
 import shutil
 import subprocess
 import unittest
 
-from command_line import DATA, EXECUTABLE, CommandLineTest
+from command_line import DATA, EXECUTABLE, CommandLineTest, run, table
 
 PYTHON = "/usr/bin/python3"  # Debian's own: another that is first on the PATH may lack matplotlib
 
 
-def call(folder, *flags, command=EXECUTABLE):
-    return {
-        "args": [PYTHON, "-B", *flags, "-m", "report", "--command", command, "-o", folder],
-        "text": True,
-        "stdout": subprocess.PIPE,
-        "stderr": subprocess.PIPE,
-        "env": {
-            **os.environ, "PYTHONPATH": str(DATA.parent / "studies")
-        }
-    }
+def called(*arguments, flags=(), program=("-m", "report"), **options):
+    return run(*arguments, command=[PYTHON, "-B", *flags, *program],
+               env={**os.environ, "PYTHONPATH": str(DATA.parent / "studies")}, **options)
+
+
+def report(folder, *flags, command=EXECUTABLE, **options):
+    return called("--command", command, "-o", folder, flags=flags, **options)
 
 
 @unittest.skipIf(
     subprocess.run([PYTHON, "-c", "import matplotlib"], capture_output=True, check=False).returncode, "no matplotlib")
 class Report(CommandLineTest):
     def read(self, name):
-        with open(self.directory / f"{name}.csv", newline="", encoding="utf-8") as file:
-            return list(csv.DictReader(line for line in file if not line.startswith("#")))
+        return table((self.directory / f"{name}.csv").read_text(encoding="utf-8"))
 
     def test_data_and_words(self):
-        whole = call(self.directory)
         undrawn = ("from report import __main__, page; page.picture = lambda data, draw, name: ('<svg />', ()); "
                    "__main__.main()")
-        whole["args"][2:4] = ["-c", undrawn]
-        done = subprocess.run(**whole, check=False)
+        done = report(self.directory, program=("-c", undrawn))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("index.html", done.stdout)
         self.assertEqual({entry.suffix
@@ -60,23 +53,21 @@ class Report(CommandLineTest):
 
     def check_data(self):
         for path in self.directory.glob("*.csv"):
-            for row in self.read(path.stem):  # of another length than the header
+            for row in table(path.read_text(encoding="utf-8"), lambda cell: cell):  # of another length than the header
                 self.assertFalse(None in row or None in row.values(), path)
         for row in self.read("materials"):
             self.assertTrue((self.directory / row["file"]).exists())
         for row in self.read("tables"):
-            self.assertLessEqual(float(row["checked_error"]), float(row["tolerance"]))
+            self.assertLessEqual(row["checked_error"], row["tolerance"])
         for row in self.read("table_error"):
-            self.assertLessEqual(max(abs(float(row["force_error"])), abs(float(row["moment_error"]))),
-                                 float(row["tolerance"]))
+            self.assertLessEqual(max(abs(row["force_error"]), abs(row["moment_error"])), row["tolerance"])
         for row in self.read("steady_twist"):
             if (row["boundary"], row["projection"]) == ("table", "closest-point"):
-                self.assertLess(float(row["error"]), 1e-7)
-    def assert_ends(self, told, folder, **options):
-        limit = options.pop("limit", None)
-        flags = options.pop("flags", ())
-        done = subprocess.run(**call(folder, *flags, **options), check=False,
-                              preexec_fn=limit and (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))))
+                self.assertLess(row["error"], 1e-7)
+
+    def assert_ends(self, told, folder, *flags, limit=None, **options):
+        bounded = limit and (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        done = report(folder, *flags, preexec_fn=bounded, **options)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertRegex(done.stderr, r"\Areport: error: [^\n]+\n\Z")
         for text in told:
@@ -84,7 +75,7 @@ class Report(CommandLineTest):
 
     def test_what_it_cannot_do_is_one_line(self):
         out = self.directory / "out"
-        self.assert_ends(["matplotlib is missing", "python3-matplotlib"], out, flags=["-S"])  # no packages
+        self.assert_ends(["matplotlib is missing", "python3-matplotlib"], out, "-S")  # no packages
         self.assertFalse(out.exists())
         self.assert_ends(["taken", "File exists"], self.file("taken", ""))
         self.assert_ends(["below", "Not a directory"], self.directory / "taken" / "below")
@@ -92,9 +83,7 @@ class Report(CommandLineTest):
         self.assertEqual([path.name for path in out.iterdir()], ["laws.csv"])
         self.assert_ends(["cannot run '/no-such-command'", "No such file"], out, command="/no-such-command")
         self.assert_ends(["false laws", "exit status 1"], out, command="/bin/false")
-        self.assertEqual(
-            subprocess.run([PYTHON, "-B", "-m", "report"], capture_output=True, env=call(out)["env"],
-                           check=False).returncode, 2)
+        self.assertEqual(called().returncode, 2)
 
     def test_librsvg_draws_the_figures_of_the_pages(self):
         # It sets the parts of a text on top of each other: a formula is a path.

@@ -298,7 +298,7 @@ def patch_panel(figure, axes, rows, quantity, title):
 def work_precision(data):
     """The choices, among all ways to a wrench of a Hertz contact."""
     rows = data["work_precision_wrench"].where(law="hertz")
-    figure, axes = plt.subplots(figsize=(8.4, 6.2))
+    figure, axes = plt.subplots(figsize=(8.4, 6.2), layout="none")
     figure.subplots_adjust(left=0.09, right=0.985, top=0.95, bottom=0.16)
     figure.canvas.draw()
     axes.set(title="One friction wrench of a Hertz contact: error against time",
@@ -340,7 +340,7 @@ def all_work_precision(data):
     """One panel a law, one for the step, two for patches."""
     wrench, step = data["work_precision_wrench"], data["work_precision_step"]
     laws = list(wrench.groups("law"))
-    figure, panels = plt.subplots(4, 2, figsize=(10, 19.2))
+    figure, panels = plt.subplots(4, 2, figsize=(10, 19.2), layout="none")
     figure.subplots_adjust(left=0.07, right=0.99, top=0.983, bottom=0.095, hspace=0.27, wspace=0.16)
     figure.canvas.draw()
     for axes, law in zip(panels.flat, laws):
