@@ -135,24 +135,20 @@ def test_odd_arguments_are_errors_or_answers():
 def test_arrays_of_a_wrong_length_or_kind_are_named():
     table = lc.Table("hertz", 1e-4)
     batch = lc.Batch(table, 5)
-    with pytest.raises(ValueError, match=r"^y: got the shape \(4,\), expected \(5,\)$"):
-        batch.update(np.zeros(5), np.zeros(4), np.zeros(5), np.zeros(5))
-    with pytest.raises(ValueError, match=r"^depth: got an array of complex128, expected real numbers$"):
-        batch.update(np.zeros(5), np.zeros(5), np.zeros(5, complex), np.zeros(5))
-    with pytest.raises(ValueError, match=r"^dt = nan \[?s?"):
-        batch.update(0, 0, 0, 0, math.nan)
-    with pytest.raises(ValueError, match="a batch has no dampers"):
-        lc.Batch(table, 5, damping=1)
-    for fault in ({"max_speed": 0.1}, {"fault_decay": 0.5}):
-        with pytest.raises(ValueError,
-                           match=f"^{list(fault)[0]}: expected none, a batch refuses no jump and fades no output"):
-            lc.Batch(table, 5, **fault)
-    with pytest.raises(ValueError, match="closest-point only"):
-        lc.SoftFinger(lc.box(1, 0.6), projection="radial")
-    with pytest.raises(ValueError, match=r"^twists: got the shape \(4,\)"):
-        lc.Patch("rectangle:x=0.02,y=0.01").wrench([1, 2, 3, 4])
-    with pytest.raises(ValueError):
-        batch.fx[0] = 1
+    zero = np.zeros(5)
+    for call, told in (
+        (lambda: batch.update(zero, np.zeros(4), zero, zero), r"^y: got the shape \(4,\), expected \(5,\)$"),
+        (lambda: batch.update(zero, zero, zero.astype(complex), zero),
+         "^depth: got an array of complex128, expected real numbers$"),
+        (lambda: batch.update(0, 0, 0, 0, math.nan), r"^dt = nan \[?s?"),
+        (lambda: lc.Batch(table, 5, damping=1), "a batch has no dampers"),
+        *((lambda name=name: lc.Batch(table, 5, **{name: 0.5}),
+           f"^{name}: expected none, a batch refuses no jump and fades no output") for name in ("max_speed", "fault_decay")),
+        (lambda: lc.SoftFinger(lc.box(1, 0.6), projection="radial"), "closest-point only"),
+        (lambda: lc.Patch("rectangle:x=0.02,y=0.01").wrench([1, 2, 3, 4]), r"^twists: got the shape \(4,\)"),
+        (lambda: batch.fx.__setitem__(0, 1), "read-only")):
+        with pytest.raises(ValueError, match=told):
+            call()
 
 
 def test_threads_share_tables_batches_and_commands():

@@ -67,23 +67,8 @@ def test_the_tangent_ellipse_of_a_slip_or_a_wrench_broadcasts():
     f, m = TABLE.wrench(slide, spin)
     for again in (TABLE.tangent_ellipse(f, -m, p, q), TABLE.tangent_ellipse(-f, m)):
         assert np.allclose(again, (p, q), rtol=1e-9)
-    for wrong in ({}, {
-            "force": 1
-    }, {
-            "force": 1,
-            "moment": 1,
-            "q": 1
-    }, {
-            "p": 1,
-            "q": 1,
-            "slip": (1, 1)
-    }, {
-            "force": 1,
-            "moment": 1,
-            "slip": (1, 1)
-    }, {
-            "slip": (1, 1, 1)
-    }):
+    for wrong in ({}, {"force": 1}, {"force": 1, "moment": 1, "q": 1}, {"p": 1, "q": 1, "slip": (1, 1)},
+                  {"force": 1, "moment": 1, "slip": (1, 1)}, {"slip": (1, 1, 1)}):
         for call in (TABLE.tangent_ellipse, functools.partial(arrays.tangent_ellipse, arrays.cells(TABLE))):
             with pytest.raises(ValueError, match="expected"):
                 call(**wrong)
@@ -188,10 +173,7 @@ def test_a_law_is_the_file_as_it_was_read(tmp_path):
 
 def test_a_profile_from_arrays_is_the_profile_in_a_file(tmp_path):
     radius = np.linspace(0, 5, 30)
-    pressure = 25 - radius**2
-    file = tmp_path / "profile.csv"
-    file.write_text("radius,pressure\n" + "".join(f"{r!r},{p!r}\n" for r, p in zip(radius.tolist(), pressure.tolist())))
-    mine = lc.Law.samples(radius, pressure)
+    mine, file = lc.Law.samples(radius, 25 - radius**2), profile_file(tmp_path / "p.csv", 2)
     assert mine.profile_error > 0
     assert np.array_equal(mine.evaluate([0, 0.3, 2]), lc.Law(f"samples:{file}").evaluate([0, 0.3, 2]))
 

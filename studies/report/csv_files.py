@@ -268,7 +268,8 @@ def others(files):
     files.gather("translate", [(contact, ["translate", *options(contact)]) for contact in contacts])
     measured = [row for name in ("drag_pypi", "drag") for row in read(DATA / "engines" / f"{name}.csv")]
     files.write("engine_drag", [{name: row[name] for name in measured[-1]} for row in measured
-                                if row["engine"] in ("mujoco", "bullet", "ode") and row.get("contact", "ball") == "ball"])
+                                if row["engine"] in ("mujoco", "bullet", "ode")
+                                and row.get("contact", "ball") == "ball"])
     for name in ("wrench", "step", "patch"):
         write_whole(files.folder / f"work_precision_{name}.csv", (DATA / "work_precision" / f"{name}.csv").read_bytes())
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The report's story: its figures, what to see in each, what to do about it, and tables. It only draws: each figure is a
-function of the CSV files (csv_files.py has their columns), and so is every number."""
+"""The report's story: its figures, what to see in each, what to do about it, and tables. It only draws: each figure and
+each number is a function of the CSV files, whose columns csv_files.py has."""
 
 import html
 

@@ -108,8 +108,8 @@ class Hold(CommandLineTest):
                 need = ["--quiet", "--force", "1", "--moment", "0.003"]
                 self.assert_close(
                     rows("hold", "--curve", curve, *law, *contact, *need)[0]["hold_load"], load, 1e-12)
-            self.assert_close(
-                rows("replay", "--trace", trace, "--curve", curve, *contact, *FINGER[6:])[-1]["moment"], -0.002 * 2, 1e-12)
+            end = rows("replay", "--trace", trace, "--curve", curve, *contact, *FINGER[6:])[-1]
+            self.assert_close(end["moment"], -0.002 * 2, 1e-12)
             self.assertEqual(run("pivot", "--curve", curve, *contact, "--duration", "0.01").returncode, 0)
 
     def test_margin_at_the_ends(self):

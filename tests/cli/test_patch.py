@@ -236,8 +236,8 @@ class FitFriction(PatchCase):
     def test_reactions_are_refused_and_single_pushes_against_the_motion_left_out(self):
         patch, data = self.pushes(self.MOVED)
         for against in (range(5), range(1, 5)):
-            self.assert_fails(2, (f"push {against[0] + 2}: negative power, as in {len(against)} of 5 pushes", "reaction"),
-                              "fit", "friction", "--patch", patch, "--data",
+            told = f"push {against[0] + 2}: negative power, as in {len(against)} of 5 pushes", "reaction"
+            self.assert_fails(2, told, "fit", "friction", "--patch", patch, "--data",
                               self.changed(data, lambda i, row: self.reacting(row) if i in against else row))
         done = run("fit", "friction", "--patch", patch, "--data",
                    self.changed(data, lambda i, row: self.reacting(row) if i == 2 else row))
