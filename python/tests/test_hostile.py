@@ -143,7 +143,8 @@ def test_arrays_of_a_wrong_length_or_kind_are_named():
         (lambda: batch.update(0, 0, 0, 0, math.nan), r"^dt = nan \[?s?"),
         (lambda: lc.Batch(table, 5, damping=1), "a batch has no dampers"),
         *((lambda name=name: lc.Batch(table, 5, **{name: 0.5}),
-           f"^{name}: expected none, a batch refuses no jump and fades no output") for name in ("max_speed", "fault_decay")),
+           f"^{name}: expected none, a batch refuses no jump and fades no output")
+          for name in ("max_speed", "fault_decay")),
         (lambda: lc.SoftFinger(lc.box(1, 0.6), projection="radial"), "closest-point only"),
         (lambda: lc.Patch("rectangle:x=0.02,y=0.01").wrench([1, 2, 3, 4]), r"^twists: got the shape \(4,\)"),
         (lambda: batch.fx.__setitem__(0, 1), "read-only")):

@@ -11,6 +11,13 @@ import hold
 
 
 VERSION = "PyBullet " + importlib.metadata.version("pybullet")
+UNDAMPED = {"linearDamping": 0, "angularDamping": 0, "activationState": p.ACTIVATION_STATE_DISABLE_SLEEPING}
+OTHER = {"lateralFriction": 1, "spinningFriction": 0, "rollingFriction": 0}  # of what the finger touches
+
+
+def typed(given):
+    return {"lateralFriction": given["setFriction"], "spinningFriction": given["setSpinningFriction"],
+            "rollingFriction": given["setRollingFriction"]}
 
 
 def measure():
@@ -26,18 +33,8 @@ def one(given, slide, spin):
         floor = p.createMultiBody(0, p.createCollisionShape(p.GEOM_PLANE))
         shape = p.createCollisionShape(p.GEOM_SPHERE, radius=drag.BALL_RADIUS)
         body = p.createMultiBody(drag.MASS, shape, basePosition=[0, 0, drag.BALL_RADIUS])
-        p.changeDynamics(floor, -1, lateralFriction=1, spinningFriction=0, rollingFriction=0)
-        p.changeDynamics(body,
-                         -1,
-                         lateralFriction=given["setFriction"],
-                         linearDamping=0,
-                         angularDamping=0,
-                         localInertiaDiagonal=[drag.INERTIA] * 3,
-                         activationState=p.ACTIVATION_STATE_DISABLE_SLEEPING)
-        p.changeDynamics(body,
-                         -1,
-                         spinningFriction=given["setSpinningFriction"],
-                         rollingFriction=given["setRollingFriction"])
+        p.changeDynamics(floor, -1, **OTHER)
+        p.changeDynamics(body, -1, localInertiaDiagonal=[drag.INERTIA] * 3, **typed(given), **UNDAMPED)
         vertical = [0.0]  # resetting a place also resets the velocity
 
         def set_motion(v, w):
@@ -65,14 +62,7 @@ def gripped(offset):
     body = p.createMultiBody(hold.MASS,
                              p.createCollisionShape(p.GEOM_BOX, halfExtents=hold.HALF),
                              basePosition=[-offset, 0, 0])
-    p.changeDynamics(body,
-                     -1,
-                     lateralFriction=1,
-                     spinningFriction=0,
-                     rollingFriction=0,
-                     linearDamping=0,
-                     angularDamping=0,
-                     activationState=p.ACTIVATION_STATE_DISABLE_SLEEPING)
+    p.changeDynamics(body, -1, **OTHER, **UNDAMPED)
     shape, pads = p.createCollisionShape(p.GEOM_SPHERE, radius=hold.BALL), []
     for way in (-1, 1):
         place = [0, 0, -way * (hold.HALF[2] + hold.BALL)]
@@ -90,12 +80,7 @@ def gripped(offset):
                               linkParentIndices=[0],
                               linkJointTypes=[p.JOINT_PRISMATIC],
                               linkJointAxis=[[0, 0, way]]))
-        p.changeDynamics(pads[-1],
-                         0,
-                         lateralFriction=given["setFriction"],
-                         spinningFriction=given["setSpinningFriction"],
-                         rollingFriction=given["setRollingFriction"],
-                         jointDamping=hold.SLOWED)
+        p.changeDynamics(pads[-1], 0, jointDamping=hold.SLOWED, **typed(given))
         p.setJointMotorControl2(pads[-1], 0, p.VELOCITY_CONTROL, force=0)
 
     def step(weight):

@@ -70,14 +70,6 @@ def show(browser, address, width=1200, height=1000, dark=False, touch=False):
     browser.get(address)
 
 
-def wait(test, condition, seconds=8.0, message="it did not come to be"):
-    end = time.monotonic() + seconds
-    while not (result := condition()):
-        test.assertLess(time.monotonic(), end, message)
-        time.sleep(0.02)
-    return result
-
-
 def complaints(browser):
     return [line for line in browser.get_log("browser") if line["level"] in ("SEVERE", "WARNING")]
 
@@ -107,7 +99,14 @@ class PageTest(unittest.TestCase):
         self.assertEqual(complaints(self.browser), [], "the console has errors")
 
     def wait(self, condition, seconds=8.0, message="it did not come to be"):
-        return wait(self, condition, seconds, message)
+        end = time.monotonic() + seconds
+        while not (result := condition()):
+            self.assertLess(time.monotonic(), end, message)
+            time.sleep(0.02)
+        return result
+
+    def script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
 
     def element(self, name):
         return self.browser.find_element(By.ID, name)
@@ -118,9 +117,8 @@ class PageTest(unittest.TestCase):
         self.assertIn(page.as_uri(), log)
         for scheme in ('"url":"http:', '"url":"https:', '"url":"ws'):
             self.assertNotIn(scheme, log)
-        self.assertEqual(
-            self.browser.execute_script(
-                "return performance.getEntriesByType('resource').filter((e) => !e.name.startsWith('data:')).length"), 0)
+        loaded = "return performance.getEntriesByType('resource').filter((e) => !e.name.startsWith('data:')).length"
+        self.assertEqual(self.script(loaded), 0)
 
     def assert_contrast(self, found, **page):
         for what, contrast in found:
@@ -131,4 +129,4 @@ class PageTest(unittest.TestCase):
         self.assertEqual(nameless_controls(self.browser), [])
         for width in (320, 390):
             self.open(width, 844, touch=True)
-            self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), width)
+            self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), width)

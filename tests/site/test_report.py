@@ -25,9 +25,6 @@ class Report(browser.PageTest):
     def open(self, *size, **options):
         browser.show(self.browser, PAGE.as_uri(), *size, **options)
 
-    def script(self, text, *arguments):
-        return self.browser.execute_script(text, *arguments)
-
     def test_every_link_leads_somewhere(self):
         links = self.script("return [...document.querySelectorAll('main a')].map((a) => a.getAttribute('href'))")
         self.assertGreater(len(links), 80)

@@ -24,34 +24,26 @@ def name(path):
     return str(path.relative_to(SITE))
 
 
-class Browsed(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = browser.start()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.quit()
-
-    def show(self, path, **how):
-        browser.show(self.browser, path.as_uri(), **how)
+class Browsed(browser.PageTest):
+    def open(self, path=None, **how):
+        browser.show(self.browser, (path or SITE / "index.html").as_uri(), **how)
 
     def test_every_page_can_be_read_and_asks_nobody(self):
         for path in pages():
             for dark, touch in ((False, False), (True, False), (False, True)):  # a phone has other buttons
                 with self.subTest(page=name(path), dark=dark, touch=touch):
-                    self.show(path, width=390 if touch else 1200, height=844, dark=dark, touch=touch)
+                    self.open(path, width=390 if touch else 1200, height=844, dark=dark, touch=touch)
                     log = " ".join(line["message"] for line in self.browser.get_log("performance"))
                     self.assertIn("Network.requestWillBeSent", log)
                     for scheme in ('"url":"http:', '"url":"https:', '"url":"ws', "Network.loadingFailed"):
                         self.assertNotIn(scheme, log)
                     self.assertEqual(browser.complaints(self.browser), [], "the console has errors")
                     self.assertEqual(browser.nameless_controls(self.browser), [])
-                    found = self.browser.execute_script(browser.CONTRASTS)
+                    found = self.script(browser.CONTRASTS)
                     self.assertGreater(len(found), 15)
                     self.assertEqual({what: round(contrast, 2) for what, contrast in found if contrast < 4.5}, {})
                     if touch:
-                        self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"),
+                        self.assertLessEqual(self.script("return document.documentElement.scrollWidth"),
                                              390, "it scrolls sideways")
 
     def test_search_finds(self):
@@ -61,23 +53,19 @@ class Browsed(unittest.TestCase):
                 browser.show(self.browser, f"{(SITE / 'search.html').as_uri()}?q={word}")
                 script = ("return [...document.querySelectorAll('#search-results a')].map((a) => "
                           "a.href.split(/[?#]/)[0])")
-                browser.wait(self,
-                             lambda script=script, page=page:
-                             (SITE / page).as_uri() in self.browser.execute_script(script),
-                             message=f"{page} is not found")
-                self.assertEqual(browser.complaints(self.browser), [])
+                self.wait(lambda script=script, page=page: (SITE / page).as_uri() in self.script(script),
+                          message=f"{page} is not found")
 
     def test_light_and_dark_by_a_button(self):
-        self.show(SITE / "index.html")
         ground = "return getComputedStyle(document.body).backgroundColor"
-        light = self.browser.execute_script(ground)
-        self.browser.execute_script("document.querySelector('.theme-toggle').click()")
-        self.assertNotEqual(self.browser.execute_script(ground), light)
-        self.browser.execute_script("localStorage.clear()")
+        light = self.script(ground)
+        self.script("document.querySelector('.theme-toggle').click()")
+        self.assertNotEqual(self.script(ground), light)
+        self.script("localStorage.clear()")
 
     def test_formulas_are_drawn(self):
-        browser.show(self.browser, (SITE / "theory.html").as_uri())
-        sizes = self.browser.execute_script(
+        self.open(SITE / "theory.html")
+        sizes = self.script(
             "return [...document.querySelectorAll('math')].map((e) => [e.textContent, e.getBoundingClientRect().width, "
             "e.getBoundingClientRect().height])"
         )
@@ -87,11 +75,11 @@ class Browsed(unittest.TestCase):
                 self.assertGreater(min(width, height), 4)
         # A fraction is higher than a line, a root and an integral are MathML's own, and no TeX is left.
         self.assertGreater(
-            self.browser.execute_script("return document.querySelector('math mfrac').getBoundingClientRect().height"),
+            self.script("return document.querySelector('math mfrac').getBoundingClientRect().height"),
             25)
         self.assertGreater(
-            self.browser.execute_script("return document.querySelectorAll('math msqrt, math mfrac').length"), 10)
-        text = self.browser.execute_script("return document.querySelector('article').innerText")
+            self.script("return document.querySelectorAll('math msqrt, math mfrac').length"), 10)
+        text = self.script("return document.querySelector('article').innerText")
         for left in ("$", "\\frac", "\\int", "\\mathrm"):
             self.assertNotIn(left, text)
 
