@@ -101,15 +101,6 @@ class Fit(CommandLineTest):
             for row in rows("fit", "ellipse", "--law", "hertz", "--criterion", criterion, "--quiet"):
                 self.assertEqual(row["std_error"], "", row)
 
-    def test_growth_that_was_not_fitted_is_warned_of(self):
-        """Once, 80 clean slips of a = 4.35 mm P^0.257 were fitted with gamma = 0, without a warning."""
-        data = self.growing("hertz")
-        _, said = self.fitted("law", "--data", data)
-        self.assertIn("gamma = 0 was assumed, but 0.25", said)
-        found, said = self.fitted("law", "--data", data, "--fit-gamma")
-        self.assertNotIn("was assumed", said)
-        self.assert_close(found["c"], 0.00435, 1e-6)
-
     def growing(self, law):
         points = rows("c-curves", "--law", law, "--radius-law", "power:c=0.00435,gamma=0.257", "--mu", "0.7", "--cors",
                       "0.0005,0.001,0.002,0.003,0.005,0.007,0.01,0.02", "--loads", "0.5,1,1.5,2,3,4,5,6,8,10")

@@ -299,22 +299,12 @@ class SixtyLines(CommandLineTest):
         spec.loader.exec_module(self.paper)
 
     def test_step_b_is_that_of_the_library(self):
+        """The program compares both, to 1e-12."""
         done = subprocess.run([sys.executable, "-B", SIXTY_LINES, EXECUTABLE],
                               capture_output=True,
                               text=True,
                               check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
-        for step_b, curve in ((self.paper.uncoupled, ["box"]), (self.paper.coupled,
-                                                                ["ellipse", "--projection", "radial"])):
-            for path, body in ((DATA / "traces" / "slide_twist_load.csv", []), (DATA / "scenes" / "turntable.csv",
-                                                                                ["--body", "trace"])):
-                here = list(self.paper.god_object(self.paper.read(path), step_b))
-                library = replayed(path, "--curve", *curve, *body)
-                self.assertEqual(len(here), len(library))
-                self.assertIn("slip", {row["state"] for row in library})
-                for wrench, row in zip(here, library):
-                    for value, name in zip(wrench, ("fx", "fy", "moment")):
-                        self.assertAlmostEqual(value, row[name], delta=1e-12)
 
     def test_equation_17_by_midpoints(self):
         radius, mu = self.paper.A, self.paper.MU

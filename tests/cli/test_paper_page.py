@@ -116,8 +116,6 @@ class Page(CommandLineTest):
                 there = (rf"class {suite}\((?:(?!\nclass )[\s\S])*?def {name}\("
                          if name.startswith("test_") else rf"\({suite}, {name}\)")
                 self.assertTrue(re.search(there, tests), f"{suite}.{name}")
-        for target in re.findall(r"\]\(([^)#]+)\)", self.TEXT):
-            self.assertTrue((ROOT / "docs" / target).exists(), target)
 
 
 if __name__ == "__main__":

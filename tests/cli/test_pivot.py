@@ -100,13 +100,6 @@ class Pivot(CommandLineTest):
                                        delta=0.5 if angle > 2 else 0.05,
                                        msg=f"{case} {times}")
 
-    # Whether the block turns in case B is decided by the offset, our choice: mu_r/mu_l is 6.05 mm.
-    def test_the_offset_decides_case_b(self):
-        for offset, least, most in [("0.005", 0, 1), ("0.006", 0, 1), ("0.007", 30, 45)]:
-            found = rows("pivot", "--case", "uncoupled", "--offset", offset, "--release", "from=1,to=0,over=10")
-            angle = next(abs(math.degrees(row["angle"])) for row in found if row["grip_slip"] >= 0.005)
-            self.assertTrue(least <= angle <= most, (offset, angle))
-
     def test_curve_projection_and_radius_law_of_ones_own(self):
         release = ["--release", "from=0.45,to=0.3,over=2", "--duration", "2"]
         text = {case: run("pivot", "--case", case, *release).stdout for case in CASES}
