@@ -35,6 +35,12 @@ def _axes(ax: Axes | None) -> Axes:
     return plt.subplots(layout="constrained")[1]
 
 
+def _finished(ax: Axes, force: str, moment: str) -> Axes:
+    ax.set(xlabel=force, ylabel=moment, xlim=(0, None), ylim=(0, None))
+    ax.legend(frameon=False)
+    return ax
+
+
 def _model(model: str, parameter: float, m0: float, law: Law, points: int = 257) -> tuple[Any, Any]:
     """Points (f, m) of a model of `validate` with its parameter."""
     angle = np.linspace(0, np.pi / 2, points)
@@ -113,9 +119,7 @@ def limit_curve(
                 color="0.5",
                 markersize=4,
                 label="measured")
-    ax.set(xlabel=r"force $F/(\mu P)$ [1]", ylabel=r"moment $M/(\mu P a)$ [1]", xlim=(0, None), ylim=(0, None))
-    ax.legend(frameon=False)
-    return ax
+    return _finished(ax, r"force $F/(\mu P)$ [1]", r"moment $M/(\mu P a)$ [1]")
 
 
 def _columns(name: str, data: Data, needed: Sequence[str]) -> dict[str, Any]:
@@ -154,9 +158,7 @@ def p_curves(law: str | Law,
     for load in np.unique(table["load"]):
         rows = table["load"] == load
         ax.plot(table["force"][rows], 1e3 * table["moment"][rows], label=f"P = {load:g} N")
-    ax.set(xlabel="force $F$ [N]", ylabel="moment $M$ [N mm]", xlim=(0, None), ylim=(0, None))
-    ax.legend(frameon=False)
-    return ax
+    return _finished(ax, "force $F$ [N]", "moment $M$ [N mm]")
 
 
 def c_curves(law: str | Law,
@@ -175,9 +177,7 @@ def c_curves(law: str | Law,
         ax.plot(table["force"][rows],
                 1e3 * table["moment"][rows],
                 label="pure sliding" if np.isinf(cor) else f"c = {1e3 * cor:g} mm")
-    ax.set(xlabel="force $F$ [N]", ylabel="moment $M$ [N mm]", xlim=(0, None), ylim=(0, None))
-    ax.legend(frameon=False)
-    return ax
+    return _finished(ax, "force $F$ [N]", "moment $M$ [N mm]")
 
 
 def approximation_errors(law: str | Law | Sequence[str | Law] | None = None, *, ax: Axes | None = None) -> Axes:
@@ -241,6 +241,4 @@ def replay(
                     "--",
                     linewidth=1,
                     label=f"limit at P = {load:.3g} N")
-    ax.set(xlabel="deflection $r$ [mm]", ylabel=r"twist deflection $\rho$ [°]", xlim=(0, None), ylim=(0, None))
-    ax.legend(frameon=False)
-    return ax
+    return _finished(ax, "deflection $r$ [mm]", r"twist deflection $\rho$ [°]")

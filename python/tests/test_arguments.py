@@ -135,7 +135,6 @@ def test_wrong_calls_are_told_by_name(call, told):
 
 
 def wrong_call(function, *values, **keywords):
-    """The error of a wrong call, in one line."""
     with pytest.raises((ValueError, TypeError)) as error:
         function(*values, **keywords)
     assert "incompatible function arguments" not in str(error.value) and "\n" not in str(error.value)

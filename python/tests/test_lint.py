@@ -35,19 +35,25 @@ def usda(body, unit="metersPerUnit = 1"):
             f'{body}\n}}\n')
 
 
-TIP = 'friction="0.8 0.0019" condim="4"'
 FIRST = 'priority="1"'
+
+
+def tip(friction, more=""):
+    return BALL.format("tip", f'friction="{friction}" condim="4" {more}')
+
+
+TIP = 'friction="0.8 0.0019" condim="4"'
 PALM = f'friction="1 0.05" condim="4" {FIRST}'
 # Name, text, the verdicts of its rows without and with a fingertip of 5 mm (μ_r = 0.002356 m under μ = 0.8).
 SCENES = [
     ("torsion_off.xml", mjcf(BALL.format("tip", 'friction="0.8 0.1 0.0001"')), ["unused"], ["dead"]),
-    ("too_large.xml", mjcf(BALL.format("tip", 'friction="0.8 0.1 0.0001" condim="4"')), ["note"], ["too large"]),
-    ("hidden.xml", mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4"')), ["hidden"], ["hidden"]),
+    ("too_large.xml", mjcf(tip("0.8 0.1 0.0001")), ["note"], ["too large"]),
+    ("hidden.xml", mjcf(tip("0.8 0.0024")), ["hidden"], ["hidden"]),
     ("bare_pair.xml",
-     mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4" priority="1"'), "",
+     mjcf(tip("0.8 0.0024", FIRST), "",
           '<contact><pair geom1="tip" geom2="floor"/></contact>'), ["note", "dead"], ["ok", "dead"]),
-    ("small.xml", mjcf(BALL.format("tip", 'friction="0.8 0.0001" condim="4" priority="1"')), ["note"], ["too small"]),
-    ("zero.xml", mjcf(BALL.format("tip", 'friction="0.8 0" condim="4" priority="1"')), ["no moment"], ["too small"]),
+    ("small.xml", mjcf(tip("0.8 0.0001", FIRST)), ["note"], ["too small"]),
+    ("zero.xml", mjcf(tip("0.8 0", FIRST)), ["no moment"], ["too small"]),
     ("order.xml",
      mjcf(BALL.format("tip", ""), "",
           '<contact><pair geom1="tip" geom2="floor" condim="6" friction="0.2 0.005 0.0001"/></contact>'),
@@ -57,17 +63,17 @@ SCENES = [
      mjcf(f'<body><freejoint/><geom {PALM}/><body><joint/><geom {TIP} {FIRST}/></body></body>'), ["note"] * 2,
      ["too large", "ok"]),
     ("excluded.xml",
-     mjcf(BALL.format("palm", PALM) + BALL.format("tip", f"{TIP} {FIRST}"), "",
+     mjcf(BALL.format("palm", PALM) + tip("0.8 0.0019", FIRST), "",
           '<contact><exclude body1="palm" body2="tip"/></contact>'), ["note"] * 2, ["too large", "ok"]),
     ("default_number.xml", mjcf(BALL.format("tip", 'friction="1 0.005 0.0001"')), ["note"], ["note"]),
     ("impratio.xml",
-     mjcf(BALL.format("tip", f"{TIP} {FIRST}"), '<option impratio="10"/>'), ["creeps", "note"], ["creeps", "ok"]),
+     mjcf(tip("0.8 0.0019", FIRST), '<option impratio="10"/>'), ["creeps", "note"], ["creeps", "ok"]),
     ("holds.xml",
-     mjcf(BALL.format("tip", f"{TIP} {FIRST}"), '<option impratio="10" cone="elliptic" noslip_iterations="3"/>'),
+     mjcf(tip("0.8 0.0019", FIRST), '<option impratio="10" cone="elliptic" noslip_iterations="3"/>'),
      ["note"], ["ok"]),
     ("alike.xml", mjcf(BALL.format("tip", ""),
                        '<default><geom friction="0.8 0.0024" condim="4"/></default>'), ["note"], ["ok"]),
-    ("priority.xml", mjcf(BALL.format("tip", 'friction="0.8 0.0024" condim="4" priority="1"')), ["note"], ["ok"]),
+    ("priority.xml", mjcf(tip("0.8 0.0024", FIRST)), ["note"], ["ok"]),
     ("pair.xml",
      mjcf(BALL.format("tip", ""), "",
           '<contact><pair geom1="tip" geom2="floor" friction="0.8 0.8 0.0024"/></contact>'), ["dead"], ["dead"]),
@@ -121,7 +127,7 @@ def test_meaning_and_what_to_write(run):
     (row,), _, _ = run({"a.sdf": sdf("<coefficient>10</coefficient><patch_radius>0.02</patch_radius>")})
     assert float(row["moment_per_load"]) == pytest.approx(0.11781, rel=1e-4)
     scene = mjcf(
-        BALL.format("tip", 'friction="0.8 0.1" condim="4"') + BALL.format("foot", 'friction="1 0.1" condim="4"'))
+        tip("0.8 0.1") + BALL.format("foot", 'friction="1 0.1" condim="4"'))
     (row,), _, _ = run({"a.xml": scene}, *FINGERTIP, "--only", "tip")
     assert float(row["write"]) == pytest.approx(0.002356, rel=1e-3)
     lines = {
@@ -278,7 +284,7 @@ def test_what_is_not_read_is_said(run):
 
 def test_a_closed_pipe_is_no_error(tmp_path):
     path = tmp_path / "a.xml"
-    path.write_text(mjcf(BALL.format("tip", f"{TIP} {FIRST}")))
+    path.write_text(mjcf(tip("0.8 0.0019", FIRST)))
     read, write = os.pipe()
     os.close(read)
     done = subprocess.run([sys.executable, "-m", "limitcurve.lint", path], stdout=write, stderr=-1, text=True)

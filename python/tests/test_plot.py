@@ -76,7 +76,6 @@ def test_a_replay_stays_within_its_limit(data):
 
 
 def test_every_model_is_drawn_as_far_off_as_its_label_says():
-    """The largest radial distance of each drawn line from the law is the error of `validate`."""
     law, errors = lc.Law("hertz"), lc.validate("hertz")
     angle = np.linspace(0, np.pi / 2, 20001)
     s = np.tan(np.linspace(0, np.pi / 2, 20001))

@@ -25,7 +25,6 @@ def columns(file):
 
 
 def words(options):
-    """What a user types for keywords."""
     for name, value in options.items():
         option = "--" + name.replace("_", "-")
         texts = value if isinstance(value, list) and isinstance(value[0], str) else [value]

@@ -12,7 +12,6 @@ import numpy as np
 
 
 def check_licences(readme):
-    """The metadata, the texts inside and the page name the same licences and the same libraries."""
     metadata = importlib.metadata.metadata("limitcurve")
     said = readme.partition("## Licences\n")[2]
     libraries = {

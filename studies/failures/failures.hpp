@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Where methods break, the usual ones and ours. Each entry of docs/stability.md has a function
@@ -21,6 +22,10 @@ struct Row {
 struct Figure {
   std::string name;
   std::vector<Row> rows;
+
+  void add(std::string panel, std::string series, double x, double value) {
+    rows.push_back({std::move(panel), std::move(series), x, value});
+  }
 };
 
 /// A line of the table at the top of docs/stability.md: the effect of a hazard on a usual method and on ours, the same
@@ -37,6 +42,11 @@ struct Finding {
 struct Hazard {
   std::vector<Finding> findings;
   std::vector<Figure> figures;
+
+  void add(std::string hazard, std::string method, std::string quantity, double breaks, double stands) {
+    findings.push_back({std::move(hazard), std::move(method), std::move(quantity), breaks, stands});
+  }
+  Figure& draw(std::string name) { return figures.emplace_back(Figure{std::move(name), {}}); }
 };
 
 /// An entry of the document, under the heading `name`. Measuring a hazard takes at most some seconds.

@@ -9,7 +9,6 @@ from .command import Command, Failed
 
 
 def write_report(command, folder):
-    """All files of the report."""
     from . import csv_files, page, story  # here, for they need matplotlib
     folder.mkdir(parents=True, exist_ok=True)
     files = csv_files.CsvFiles(command, folder)

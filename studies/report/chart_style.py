@@ -149,7 +149,6 @@ def quadrant(axes, title, x_label, y_label):
 
 
 def note(axes, text, place, offset, **look):
-    """Text at an offset [points] from a place of the data."""
     axes.annotate(text, place, offset, **{"textcoords": "offset points", "fontsize": 8, **look})
 
 

@@ -37,7 +37,6 @@ class Command:
             raise Failed(said or f"{' '.join(call)}: exit status {process.returncode}")
 
     def rows(self, *arguments):
-        """All rows of one run."""
         return list(self.stream(arguments))
 
     def each(self, calls, take=list):

@@ -68,7 +68,6 @@ def title_of_radius_law(text):
 
 
 def ellipse_error(data):
-    """Over-estimate of the ellipse, and the error of its centre of rotation."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9))
     groups = data["ellipse_error"].groups("law")
     for law in sorted(groups, key=lambda name: -max(groups[name].column("over_estimate"))):
@@ -98,7 +97,6 @@ MODELS = {
 
 
 def models(data):
-    """Largest radial error of each approximation, law by law."""
     laws = list(data["validate"].groups("law"))
     figure, axes = plt.subplots(figsize=(9.6, 0.32 * len(laws) + 1.0))
     for model, (label, marker, colour) in MODELS.items():
@@ -116,7 +114,6 @@ def models(data):
 
 
 def tables(data):
-    """Bytes of a look-up table at each tolerance, and its error between the nodes."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), width_ratios=(1, 1.15))
     for law, rows in data["tables"].groups("law").items():
         left.plot(rows.column("tolerance"), rows.column("bytes"), marker="o", markersize=3, label=law, **law_style(law))
@@ -145,7 +142,6 @@ RESIDUALS_SHOWN = 6
 
 
 def fits(data):
-    """A limit curve fitted to measured slips, per newton of load; and the residuals."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1))
     samples, curve = data["fit_residuals"], data["curves"].where(law="hertz")
     mu, mu_r, gamma = (data["fits"].where(data="slips", parameter=name)[0]["value"] for name in ("mu", "mu_r", "gamma"))
@@ -187,7 +183,6 @@ ENGINE_STYLES = {  # marker, colour, filled
 
 
 def engines(data):
-    """One finger dragged in each physics engine: the wrenches, the model curves, and the exact curve."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.4))
     drag = data["engine_drag"]
     exact = drag.where(engine=drag[0]["engine"], model=drag[0]["model"])

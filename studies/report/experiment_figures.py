@@ -190,8 +190,6 @@ def legend_plane(figure, axes, regrips):
 
 
 def pivot_stiffness(data):
-    """Rotation of the block before it leaves the fingers, against the twist stiffness, which the paper does not
-    give."""
     figure, axes = plt.subplots(figsize=(9.6, 3.9))
     looks = {"coupled": {"color": VERMILION, "dashes": (5, 2)}, "exact": {"color": BLUE}}
     for case, rows in data["pivot_stiffness"].groups("case").items():
@@ -212,7 +210,6 @@ def pivot_stiffness(data):
 
 
 def section(data):
-    """The report's section on the experiment: heading, figures with captions, conclusions."""
     turned = {case: angle_at_loss(rows)[0] for case, rows in data["pivot"].where(grip="release").groups("case").items()}
     lost = f"{1e3 * LOST:g} mm"
     kept = {case: rows[-1] for case, rows in data["pivot"].where(grip="operator").groups("case").items()}

@@ -59,7 +59,6 @@ def draw_steps(axes, rows, run):
 
 
 def felt(data):
-    """Rendered force and moment against time on each trace, for ellipse and exact curve."""
     traces = list(data["replay"].groups("trace"))
     figure, panels = plt.subplots(3, len(traces), figsize=(9.6, 5.2), sharex="col", sharey="row",
                                   height_ratios=(0.6, 1, 1))
@@ -92,7 +91,6 @@ def felt(data):
 
 
 def slips(rows):
-    """Intervals of time in which the state is slip."""
     begin, intervals = None, []
     for row in rows:
         if row["state"] == "slip" and begin is None:
@@ -112,8 +110,6 @@ TWIST_LOOKS = {
 
 
 def steady_twist(data):
-    """Driven long at a constant twist: the error of the wrench over the stiffness ratio, and where it settles on the
-    curve."""
     rows = data["steady_twist"]
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.3), width_ratios=(1.18, 1))
     for key, part in rows.groups("boundary", "projection").items():

@@ -30,7 +30,6 @@ def picture(data, draw, name):
 
 
 def links(name, tables):
-    """What a figure is drawn from, and its files."""
     return '<p class="files">' + ", ".join(f'<a href="{file}">{file}</a>'
                                            for file in (*(f"{table}.csv"
                                                           for table in tables), f"{name}.svg", f"{name}.png")) + "</p>"

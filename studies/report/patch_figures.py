@@ -10,8 +10,6 @@ MODELS = {"exact": ("points, exactly", BLUE, ""), "ellipsoid": ("ellipsoid", ORA
 
 
 def patches(data):
-    """Friction that measured pushes show by the exact limit surface and by the ellipsoid; and how wrong round models
-    are."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1))
     for name, (label, marker) in SETS.items():
         pushes = data["patch_pushes"].where(data=name)

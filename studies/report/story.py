@@ -132,7 +132,6 @@ def fits_table(data):
 
 
 def sections(data):
-    """The page's story: heading, figures, each with what to see in it and what to do, and a table."""
     ellipses = data["validate"].where(model="ellipse")
     over, boxes = sorted(ellipses.column("max_over_estimate")), data["validate"].where(model="box").column("max_error")
     worst = max(ellipses, key=lambda row: row["max_over_estimate"])["law"]

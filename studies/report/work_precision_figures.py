@@ -56,7 +56,6 @@ PROJECTIONS = {"radial": (PURPLE, "^", "+"), "closest-point": (BLUE, "o", "x")}
 
 
 def parameter(row):
-    """1e-4, not 0.0001."""
     text = row["parameter"]
     if not isinstance(text, float):
         return text
@@ -296,7 +295,6 @@ def patch_panel(figure, axes, rows, quantity, title):
 
 
 def work_precision(data):
-    """The choices, among all ways to a wrench of a Hertz contact."""
     rows = data["work_precision_wrench"].where(law="hertz")
     figure, axes = plt.subplots(figsize=(8.4, 6.2), layout="none")
     figure.subplots_adjust(left=0.09, right=0.985, top=0.95, bottom=0.16)
@@ -337,7 +335,6 @@ def work_precision(data):
 
 
 def all_work_precision(data):
-    """One panel a law, one for the step, two for patches."""
     wrench, step = data["work_precision_wrench"], data["work_precision_step"]
     laws = list(wrench.groups("law"))
     figure, panels = plt.subplots(4, 2, figsize=(10, 19.2), layout="none")

@@ -59,7 +59,6 @@ def table(text, convert=number_or_text):
 
 
 def data(name, convert=number_or_text):
-    """The rows of a file of data/."""
     return table((DATA / name).read_text(encoding="utf-8"), convert)
 
 

@@ -22,8 +22,6 @@ def reversals(found, least=0.1):
 
 
 class Claims(CommandLineTest):
-    """What docs/paper.md says of claims of the paper that are not equations."""
-
     def pivot(self, case, *options):
         """Angle [deg], slip [mm] and reversals at the end, and the rows."""
         found = [row for row in rows("pivot", "--case", case, *options) if row["state"] != "free"]

@@ -22,7 +22,6 @@ class Translate(CommandLineTest):
         self.assert_close(coefficients["mujoco", "geom.friction[1]"], 0.8 * 2 / 3 * 0.004, 1e-14)
 
     def test_the_cone_is_a_row(self):
-        """The cone option is on the models it holds for, and on no other row."""
         cones = {(row["model"], row["value"], row["unit"], row["note"])
                  for row in rows(*self.CONTACT)
                  if row["parameter"] == "option.cone"}
@@ -45,7 +44,6 @@ class Translate(CommandLineTest):
         self.assertNotIn("force", notes["gazebo", "surface/friction/torsional/coefficient"])
 
     def test_the_files_of_facts_agree(self):
-        """Names in one file are known in the others, and each name means one thing."""
         shapes = {(row["engine"], row["model"]) for row in self.facts("engines")}
         self.assertEqual(len(shapes), len(self.facts("engines")))
         names = [name for row in self.facts("engines") for name in row["also"].split()]
@@ -119,7 +117,6 @@ class Translate(CommandLineTest):
                                                                                      (0.0002, "")])
 
     def test_several_frictions(self):
-        """mu_r follows mu: the rows of each are those of a call of its own."""
         call = [*self.CONTACT[:5], *self.CONTACT[7:], "--mu"]
         both = [(row.pop("mu"), row) for row in rows(*call, "0.4,1.2")]
         for mu in (0.4, 1.2):

@@ -80,7 +80,6 @@ class Points(CommandLineTest):
                                    delta=1e-6)
 
     def test_methods_of_the_page(self):
-        """What public code computes, written out here, has the errors that docs/validate.md says."""
         square, pad = ("--patch", "rectangle:x=0.1,y=0.1"), ("--patch", "rectangle:x=0.082,y=0.0625")
         d = math.hypot(0.082, 0.0625)
         closed = (d + 0.082 ** 2 / 0.125 * math.asinh(0.0625 / 0.082) +

@@ -60,7 +60,7 @@ class CustomaryTwist {
 
 Hazard half_a_turn() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"turns_half", {}});
+  Figure& figure = found.draw("turns_half");
   // A spring so soft that it slips after four radians. The device reports its angle within ±π.
   constexpr double largest_lag = 4.0;
   constexpr double limit = 0.002;  // [N m]
@@ -79,11 +79,11 @@ Hazard half_a_turn() {
     for (std::size_t j = 0; j < series.size(); ++j) {
       // Right friction: against the rotation, growing to the limit and staying there.
       worst[j] = std::max(worst[j], std::fabs(moments[j] + std::min(angle / largest_lag, 1.0)));
-      if (i % 5 == 0) figure.rows.push_back({"moment", series[j], angle, moments[j]});
+      if (i % 5 == 0) figure.add("moment", series[j], angle, moments[j]);
     }
   }
-  found.findings.push_back({"twist passes ±π", "spring, difference wrapped into ±π",
-                            "error of the moment / limit (slips after 4 rad)", worst[0], worst[1]});
+  found.add("twist passes ±π", "spring, difference wrapped into ±π", "error of the moment / limit (slips after 4 rad)",
+            worst[0], worst[1]);
   return found;
 }
 
@@ -104,9 +104,9 @@ Hazard thin_plate() {
       short_by[j] = std::max(short_by[j], std::max(stiffness * depth, 0.0) - forces[j]);
     }
   }
-  found.findings.push_back({"thin plate", "nearest surface point (ours: box)",
-                            "k_l d minus the force towards the finger's side [N] (pressed 3 mm into 1 mm, 1000 N/m)",
-                            short_by[0], short_by[1]});
+  found.add("thin plate", "nearest surface point (ours: box)",
+            "k_l d minus the force towards the finger's side [N] (pressed 3 mm into 1 mm, 1000 N/m)", short_by[0],
+            short_by[1]);
   return found;
 }
 
@@ -144,8 +144,8 @@ Hazard normals_that_jump() {
     ours = std::max(ours, std::fabs(output.force.dot(normal)) / (mu * output.load));
     work = std::min(work, output.slip_work);
   }
-  found.findings.push_back({"normals that jump", "spring to the proxy, clamped to μP",
-                            "friction along the normal / μP (edges of 45°)", customary, std::max(ours, -work)});
+  found.add("normals that jump", "spring to the proxy, clamped to μP", "friction along the normal / μP (edges of 45°)",
+            customary, std::max(ours, -work));
   return found;
 }
 

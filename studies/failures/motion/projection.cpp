@@ -119,10 +119,10 @@ Hazard newton_without_bracket() {
   const Failures even = failures(law, table, 1.0, 1e-4, 10.0);
   const Failures stiff = failures(law, table, 1e6, 1e-4, 10.0);
   const std::string share = "share of slips with no closest point found ";
-  found.findings.push_back({"Newton without a bracket", "from the last COR",
-                            share + "(trials up to 11 times the limit)", even.newton, ours});
-  found.findings.push_back({"Newton without a bracket", "from the trial's direction", share + "(k_r/k_l = 1e6·(m₀a)²)",
-                            stiff.newton_ahead, ours});
+  found.add("Newton without a bracket", "from the last COR", share + "(trials up to 11 times the limit)", even.newton,
+            ours);
+  found.add("Newton without a bracket", "from the trial's direction", share + "(k_r/k_l = 1e6·(m₀a)²)",
+            stiff.newton_ahead, ours);
   return found;
 }
 

@@ -92,7 +92,7 @@ std::vector<Vector3d> stirring(double rate, double jitter) {
 
 Hazard rates_and_jitter() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"reality_rates", {}});
+  Figure& figure = found.draw("reality_rates");
   constexpr double jitter = 0.3;
   const auto largest = [&](double rate) {
     SoftFinger finger = finger_of_skin();
@@ -118,15 +118,15 @@ Hazard rates_and_jitter() {
   for (const double rate : in_ratios(100.0, 1e4, 33)) {
     const auto [customary, held] = largest(rate);
     ours = std::max(ours, held);
-    figure.rows.push_back({"force", "bristles", rate, customary});
-    figure.rows.push_back({"force", "limitcurve", rate, held});
-    figure.rows.push_back({"error", "limitcurve", rate, error(rate)});
+    figure.add("force", "bristles", rate, customary);
+    figure.add("force", "limitcurve", rate, held);
+    figure.add("error", "limitcurve", rate, error(rate));
   }
-  found.findings.push_back({"rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit",
-                            "largest friction / limit (scrubbing at 100 Hz; ours: 100 Hz to 10 kHz; 1e6: more)",
-                            largest(100.0).first, ours});
-  found.findings.push_back({"rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit", "the same at 200 Hz",
-                            largest(200.0).first, ours});
+  found.add("rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit",
+            "largest friction / limit (scrubbing at 100 Hz; ours: 100 Hz to 10 kHz; 1e6: more)", largest(100.0).first,
+            ours);
+  found.add("rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit", "the same at 200 Hz", largest(200.0).first,
+            ours);
   return found;
 }
 

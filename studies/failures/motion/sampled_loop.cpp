@@ -76,10 +76,10 @@ Hazard delayed_forces() {
     return Device{.damping = 1.05 * needed, .delay = delay}.growth(stiffness);
   };
   for (const int delay : {1, 2}) {
-    found.findings.push_back({delay == 1 ? "force one sample late" : "force two samples late",
-                              "device damped by 1.05 kT/2", "growth of an oscillation in one second (1000 N/m, 0.1 kg)",
-                              growth(device_damping_needed(stiffness, 0.0, tick), delay),
-                              growth(device_damping_needed(stiffness, 0.0, tick, delay), delay)});
+    found.add(delay == 1 ? "force one sample late" : "force two samples late", "device damped by 1.05 kT/2",
+              "growth of an oscillation in one second (1000 N/m, 0.1 kg)",
+              growth(device_damping_needed(stiffness, 0.0, tick), delay),
+              growth(device_damping_needed(stiffness, 0.0, tick, delay), delay));
   }
   return found;
 }
@@ -110,8 +110,8 @@ Hazard encoder_steps() {
     const FingerOutput output = dragged.update(pressed(x, 1e-3), 0.0, sample_time);
     ours = std::max(ours, output.force.norm() / (mu * output.load));
   }
-  found.findings.push_back({"encoder steps of 10 µm, velocities from differences", "damper beside the friction limit",
-                            "largest friction force / limit (5 N s/m, 5 mm/s, 10 kHz)", customary, ours});
+  found.add("encoder steps of 10 µm, velocities from differences", "damper beside the friction limit",
+            "largest friction force / limit (5 N s/m, 5 mm/s, 10 kHz)", customary, ours);
   return found;
 }
 

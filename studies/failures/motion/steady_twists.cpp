@@ -80,10 +80,9 @@ Hazard stiffness_ratios() {
   }
   const auto add = [&](const char* method, const FingerCurve& curve, Projection projection, double kappa,
                        const char* name) {
-    found.findings.push_back(
-        {"stiffness ratios", method,
-         std::string("error of the wrench of a steady twist (c = a, k_r/k_l = ") + name + "·(m₀a)²; ours: any)",
-         normalised_distance(settled(curve, projection, kappa), truth), ours});
+    found.add("stiffness ratios", method,
+              std::string("error of the wrench of a steady twist (c = a, k_r/k_l = ") + name + "·(m₀a)²; ours: any)",
+              normalised_distance(settled(curve, projection, kappa), truth), ours);
   };
   for (const auto& [kappa, name] : {std::pair{1e-6, "1e-6"}, {1.0, "1"}, {10.0, "10"}, {1e6, "1e6"}}) {
     add("ellipse, radial projection (eq. 23)", Ellipse::through_intercepts(m0), Projection::radial, kappa, name);
@@ -104,10 +103,8 @@ Hazard order_of_limits() {
       worst[i] = std::max(worst[i], normalised_distance(wrenches[i], curve.wrench(twist)));
   }
   const std::string quantity = "error of the wrench of a steady twist (0.1 ≤ c/a ≤ 10)";
-  found.findings.push_back(
-      {"order of the limits", "force first, moment within the rest", quantity, worst[0], worst[2]});
-  found.findings.push_back(
-      {"order of the limits", "moment first, force within the rest", quantity, worst[1], worst[2]});
+  found.add("order of the limits", "force first, moment within the rest", quantity, worst[0], worst[2]);
+  found.add("order of the limits", "moment first, force within the rest", quantity, worst[1], worst[2]);
   return found;
 }
 

@@ -60,7 +60,7 @@ const std::array<PrintedForm, 4> printed_forms{
 
 Hazard moment_far_away() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"closed_forms_far", {}});
+  Figure& figure = found.draw("closed_forms_far");
   const std::vector<double> cors = in_ratios(1.1, 1e8, 160);
   std::vector<double> ours(cors.size(), 0.0);
   for (const PrintedForm& form : printed_forms) {
@@ -68,17 +68,16 @@ Hazard moment_far_away() {
     double worst = 0.0;
     for (std::size_t i = 0; i < cors.size(); ++i) {
       const Exact truth = form.truth(cors[i]);
-      figure.rows.push_back({"far", form.law, cors[i], std::min(relative_error(form.moment(cors[i]), truth), 1.0)});
+      figure.add("far", form.law, cors[i], std::min(relative_error(form.moment(cors[i]), truth), 1.0));
       const double error = relative_error(law->forces(cors[i]).moment, truth);
       ours[i] = std::max(ours[i], error);
       worst = std::max(worst, error);
     }
     const double at = 1e4;
-    found.findings.push_back({"closed form as s → ∞", std::string(form.law) + ", as printed",
-                              "relative error of m at s = 1e4 (ours: s ≤ 1e8)",
-                              relative_error(form.moment(at), form.truth(at)), worst});
+    found.add("closed form as s → ∞", std::string(form.law) + ", as printed",
+              "relative error of m at s = 1e4 (ours: s ≤ 1e8)", relative_error(form.moment(at), form.truth(at)), worst);
   }
-  for (std::size_t i = 0; i < cors.size(); ++i) figure.rows.push_back({"far", "limitcurve", cors[i], ours[i]});
+  for (std::size_t i = 0; i < cors.size(); ++i) figure.add("far", "limitcurve", cors[i], ours[i]);
   return found;
 }
 

@@ -86,12 +86,11 @@ Hazard shape_and_radius() {
     free_in_errors.push_back(std::isfinite(free.value) && std::isfinite(free.std_error) ? in_errors(free) : 0.0);
   }
   const std::string data = " (95th percentile of 120 data sets of 100 slips, 1 % noise)";
-  found.findings.push_back({"shape and radius not identifiable", "radius a reported, from a fit of n and a (ours: μ_r)",
-                            "relative error of the length reported" + data, quantile(radius_error, 0.95),
-                            quantile(ratio_error, 0.95)});
-  found.findings.push_back({"shape and radius not identifiable", "Hertz assumed for a uniform pressure (ours: n free)",
-                            "error of the radius in standard errors stated" + data, quantile(assumed_in_errors, 0.95),
-                            quantile(free_in_errors, 0.95)});
+  found.add("shape and radius not identifiable", "radius a reported, from a fit of n and a (ours: μ_r)",
+            "relative error of the length reported" + data, quantile(radius_error, 0.95), quantile(ratio_error, 0.95));
+  found.add("shape and radius not identifiable", "Hertz assumed for a uniform pressure (ours: n free)",
+            "error of the radius in standard errors stated" + data, quantile(assumed_in_errors, 0.95),
+            quantile(free_in_errors, 0.95));
   return found;
 }
 

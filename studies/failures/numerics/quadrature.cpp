@@ -35,7 +35,7 @@ void raise(double& worst, double value) {
 Hazard centre_under_the_finger() {
   Hazard found;
   const Law law = hertz();
-  Figure& figure = found.figures.emplace_back(Figure{"quadrature_rim", {}});
+  Figure& figure = found.draw("quadrature_rim");
   constexpr std::array series{"tanh-sinh, not split", "Gauss, 30 points, not split", "limitcurve"};
   std::array<double, 3> worst{};
   double unstated = 0.0;
@@ -64,24 +64,20 @@ Hazard centre_under_the_finger() {
       const std::array errors = measure(2.0 * (i + (k + 0.3717) / places) / stretches);
       for (std::size_t j = 0; j < here.size(); ++j) raise(here[j], errors[j]);
     }
-    for (std::size_t j = 0; j < here.size(); ++j)
-      figure.rows.push_back({"across", series[j], 2.0 * (i + 0.5) / stretches, here[j]});
+    for (std::size_t j = 0; j < here.size(); ++j) figure.add("across", series[j], 2.0 * (i + 0.5) / stretches, here[j]);
   }
   for (const double distance : in_ratios(1e-15, 0.9, 60)) measure(1.0 - distance);
   const std::string quantity = "relative error of f at a requested 1e-9 (Hertz, 860 CORs)";
-  found.findings.push_back(
-      {"COR under the finger", "Boost's tanh-sinh over the whole radius", quantity, worst[0], worst[2]});
-  found.findings.push_back(
-      {"COR under the finger", "the same, its error estimate", "error / error stated", unstated, ours_unstated});
-  found.findings.push_back(
-      {"COR under the finger", "Gauss, 30 points over the whole radius", quantity, worst[1], worst[2]});
+  found.add("COR under the finger", "Boost's tanh-sinh over the whole radius", quantity, worst[0], worst[2]);
+  found.add("COR under the finger", "the same, its error estimate", "error / error stated", unstated, ours_unstated);
+  found.add("COR under the finger", "Gauss, 30 points over the whole radius", quantity, worst[1], worst[2]);
   return found;
 }
 
 // The usual rules split at s, and avoid the one point where the pressure is infinite.
 Hazard singular_rim() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"quadrature_singular", {}});
+  Figure& figure = found.draw("quadrature_singular");
   constexpr std::array series{"tanh-sinh, split at s", "Gauss, 30 points, split at s", "limitcurve"};
   const auto errors = [](double n, double s) {
     const Exact truth = exact_power(n, s).force;
@@ -95,11 +91,11 @@ Hazard singular_rim() {
   };
   for (const double above : in_ratios(1e-3, 1.0, 31)) {
     const auto at_place = errors(above - 1.0, 0.5);
-    for (std::size_t i = 0; i < series.size(); ++i) figure.rows.push_back({"exponent", series[i], above, at_place[i]});
+    for (std::size_t i = 0; i < series.size(); ++i) figure.add("exponent", series[i], above, at_place[i]);
   }
   for (const double s : evenly(0.02, 2.98, 75)) {
     const auto at_place = errors(-0.9, s);
-    for (std::size_t i = 0; i < series.size(); ++i) figure.rows.push_back({"cor", series[i], s, at_place[i]});
+    for (std::size_t i = 0; i < series.size(); ++i) figure.add("cor", series[i], s, at_place[i]);
   }
   for (const auto& [n, name] :
        {std::pair{-0.5, "flat punch"}, std::pair{-0.9, "n = −0.9"}, std::pair{-0.99, "n = −0.99"}}) {
@@ -109,11 +105,9 @@ Hazard singular_rim() {
       for (std::size_t i = 0; i < worst.size(); ++i) raise(worst[i], at_place[i]);
     }
     const std::string quantity = std::string("relative error of f (") + name + ", at five CORs)";
-    found.findings.push_back(
-        {"pressure infinite at the rim", "Boost's tanh-sinh, split at s", quantity, worst[0], worst[2]});
+    found.add("pressure infinite at the rim", "Boost's tanh-sinh, split at s", quantity, worst[0], worst[2]);
     if (n == -0.5)
-      found.findings.push_back(
-          {"pressure infinite at the rim", "Gauss, 30 points, split at s", quantity, worst[1], worst[2]});
+      found.add("pressure infinite at the rim", "Gauss, 30 points, split at s", quantity, worst[1], worst[2]);
   }
   return found;
 }
@@ -155,10 +149,10 @@ Hazard kinks_of_a_profile() {
   }
   const std::string quantity = "relative error of f (a profile of five pieces, 100 CORs; ours knows the kinks)";
   const double ours = worst[2];
-  found.findings.push_back({"kinks of a measured profile", "Boost's tanh-sinh, split at s", quantity, worst[0], ours});
-  found.findings.push_back({"kinks of a measured profile", "the same, its error estimate",
-                            "error / error stated (ours also if not told)", unstated, ours_unstated});
-  found.findings.push_back({"kinks of a measured profile", "Gauss, 30 points, split at s", quantity, worst[1], ours});
+  found.add("kinks of a measured profile", "Boost's tanh-sinh, split at s", quantity, worst[0], ours);
+  found.add("kinks of a measured profile", "the same, its error estimate",
+            "error / error stated (ours also if not told)", unstated, ours_unstated);
+  found.add("kinks of a measured profile", "Gauss, 30 points, split at s", quantity, worst[1], ours);
   return found;
 }
 

@@ -127,7 +127,7 @@ double rests(const Polyline& curve) {
 
 Hazard even_spacing() {
   Hazard found;
-  Figure& figure = found.figures.emplace_back(Figure{"tables_spacing", {}});
+  Figure& figure = found.draw("tables_spacing");
   const Law law = flat_punch();
   constexpr double last = 3.0;
   const auto places = flat_punch_around_the_rim(last);
@@ -142,23 +142,22 @@ Hazard even_spacing() {
   };
   for (const double nodes : in_ratios(8.0, 1000.0, 30)) {
     const int even = 2 * static_cast<int>(nodes / 2.0);
-    figure.rows.push_back({"numbers", "even nodes", 3.0 * even, even_error(even)});
+    figure.add("numbers", "even nodes", 3.0 * even, even_error(even));
   }
   const TableOptions fewest{.preferred_bytes = 1};  // of the highest degree, which needs the fewest numbers
   for (const double tolerance : in_ratios(1e-2, 1e-11, 19)) {
     const Table table = Table::build(law, tolerance, fewest);
     const double error = worst_of([&](double s) { return table.wrench(SlipTwist::about_cor(s)); });
-    figure.rows.push_back({"numbers", "limitcurve", 8.0 * static_cast<double>(table.cell_count()), error});
+    figure.add("numbers", "limitcurve", 8.0 * static_cast<double>(table.cell_count()), error);
   }
   const Table table = Table::build(law, 1e-8, fewest);
   // The same count of numbers: a node is f, m and a slope; a cell of ours is an origin and seven coefficients.
   const auto nodes = static_cast<int>(8 * table.cell_count() / 3);
   const double ours = worst_of([&](double s) { return table.wrench(SlipTwist::about_cor(s)); });
-  found.findings.push_back({"even spacing across the rim", "cubic Hermite, exact slopes, even nodes in s ≤ 3",
-                            "largest error of f and m (flat punch, as many numbers as our table of 1e-8)",
-                            even_error(nodes), ours});
-  found.findings.push_back({"even spacing across the rim", "the same with 1000 nodes",
-                            "largest error of f and m (flat punch)", even_error(1000), ours});
+  found.add("even spacing across the rim", "cubic Hermite, exact slopes, even nodes in s ≤ 3",
+            "largest error of f and m (flat punch, as many numbers as our table of 1e-8)", even_error(nodes), ours);
+  found.add("even spacing across the rim", "the same with 1000 nodes", "largest error of f and m (flat punch)",
+            even_error(1000), ours);
   return found;
 }
 
@@ -183,8 +182,8 @@ Hazard beyond_the_last_node() {
   for (const double s : in_ratios(1.0, 1e6, 110)) ours = std::max(ours, errors(s)[3]);
   const auto far = errors(1e4);
   for (std::size_t i = 0; i < series.size(); ++i) {
-    found.findings.push_back({"COR beyond the last node", std::string(series[i]) + ", 64 nodes to s = 5",
-                              "relative error of m at s = 1e4 (ours: table of 1e-8, s ≤ 1e6)", far[i], ours});
+    found.add("COR beyond the last node", std::string(series[i]) + ", 64 nodes to s = 5",
+              "relative error of m at s = 1e4 (ours: table of 1e-8, s ≤ 1e6)", far[i], ours);
   }
   return found;
 }
