@@ -3,16 +3,14 @@
 """The playground in headless Chromium: its numbers against `limitcurve replay` and `limitcurve pivot`, every way to
 move it, every switch, its speed, and that anybody can read it. `scripts/setup pages` installs the browser.
 
-    scripts/maintain/playground && tests/site/test_playground.py [--page FILE] [--cli EXECUTABLE] [unittest arguments]
+    scripts/maintain/playground && tests/site/test_playground.py [unittest arguments]
 """
 
-import argparse
 import csv
 import io
 import itertools
 import math
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
@@ -349,9 +347,4 @@ class Playground(browser.PageTest):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(add_help=False)
-    parser.add_argument("--page", type=Path, default=PAGE)
-    parser.add_argument("--cli", default=CLI)
-    known, others = parser.parse_known_args()
-    PAGE, CLI = known.page.resolve(), known.cli
-    unittest.main(argv=[sys.argv[0], *others])
+    unittest.main()

@@ -2,11 +2,9 @@
 # SPDX-License-Identifier: MIT
 """The site as scripts/maintain/site built it: every page in headless Chromium, from disk. (Sphinx checks the links.)
 
-    scripts/maintain/site && tests/site/test_site.py [--site FOLDER] [unittest arguments]
+    scripts/maintain/site && tests/site/test_site.py [unittest arguments]
 """
 
-import argparse
-import sys
 import unittest
 from pathlib import Path
 
@@ -85,8 +83,4 @@ class Browsed(browser.PageTest):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(add_help=False)
-    parser.add_argument("--site", type=Path, default=SITE)
-    known, others = parser.parse_known_args()
-    SITE = known.site.resolve()
-    unittest.main(argv=[sys.argv[0], *others])
+    unittest.main()
