@@ -88,13 +88,6 @@ def test_replay(command_line, data):
     assert {"stick", "slip"} <= set(expected["state"])
 
 
-def test_a_law_from_arrays_goes_where_a_law_goes():
-    radius = np.linspace(0, 1, 40)
-    law = lc.Law.samples(radius, 1 - radius**2, "pad")
-    assert set(lc.validate(law)["law"]) == {"samples:pad"}
-    assert lc.validate(law)["max_error"][0] == pytest.approx(lc.validate("parabolic")["max_error"][0], abs=1e-3)
-
-
 def test_a_column_may_have_any_name():
     """A comma in it once made two of it."""
     data = {"load": [1, 2, 4.0], 'radius, "a" [mm]': np.zeros(3), "radius": [1, 2, 5.0]}
