@@ -163,7 +163,8 @@ TEST(GrippedBlock, GoesOnWithOtherFingers) {
   turn(same);
   same.change_fingers(hertz_finger(with));
   const double angle = turn(block);
-  EXPECT_EQ(turn(same), angle);
+  // To the rounding of the equations: a new grasp has no last Jacobian to begin with.
+  EXPECT_NEAR(turn(same), angle, 1e-12);
   EXPECT_GT(angle, 0.1);
 }
 
