@@ -219,6 +219,12 @@ void add_finger_types(nb::module_& module) {
       type, of_curve,
       [](PyFinger* self, const BoundArguments& given) {
         const nb::dict all = read_files(without(given.by_name, "curve"));
+        if (without(all, "projection").size() == 0) {
+          const FingerParameters assumed;
+          warn("SoftFinger without mu, radius_law (or mu_r), stiffness, twist_stiffness: it has mu " +
+               format_number(assumed.mu) + ", a = " + format_number(assumed.radius_law.radius(1.0)) + " m, " +
+               format_number(assumed.stiffness) + " N/m and " + format_number(assumed.twist_stiffness) + " N m/rad");
+        }
         FingerCurve on = curve_of<double>(given[0]);
         const FingerParameters parameters = parameters_of(all, on.moment_ratio());
         new (self) PyFinger(SoftFinger(std::move(on), parameters, projection_of(given[1])), given[0], all);
