@@ -319,7 +319,9 @@ void CsvReader::find_sources() {
     Source source{{}, parts.turned};
     for (const std::string& name : parts.names) {
       const std::size_t place = place_of(name);
-      if (place == missing) throw no_column("'" + name + "'");
+      if (place == missing)
+        throw complaint_at(0,
+                           "no column '" + name + "', which --columns names; the header is '" + excerpt(line_) + "'");
       if (std::find(source.places.begin(), source.places.end(), place) != source.places.end())
         throw std::invalid_argument(got + "each column once");
       source.places.push_back(place);
@@ -350,9 +352,10 @@ void CsvReader::find_columns() {
     throw no_column(load_ == columns_.size() ? "'load'" : "'" + columns_[load_] + "' for --least-load");
   const bool has_none = std::all_of(places_.begin(), places_.end(), [](std::size_t place) { return place == missing; });
   for (std::size_t column = 0; column < columns_.size(); ++column) {
-    const bool wanted =
-        has_none || column < required_ || std::find(renamed_.begin(), renamed_.end(), column) != renamed_.end();
-    if (wanted && places_[column] == missing) throw no_column("'" + columns_[column] + "'");
+    const bool is_renamed = std::find(renamed_.begin(), renamed_.end(), column) != renamed_.end();
+    const bool wanted = has_none || column < required_ || is_renamed;
+    if (wanted && places_[column] == missing)
+      throw is_renamed ? no_named_column(columns_[column]) : no_column("'" + columns_[column] + "'");
     if (wanted && memory_ != nullptr) memory_->require_numbers(places_[column]);
   }
 }
@@ -572,6 +575,10 @@ double CsvReader::raw_number(std::size_t column, std::size_t place, const Range&
   if (value) return *value;
   throw complaint(column, "got '" + excerpt(field) + "', expected " + std::string(range.text) +
                               std::string(other_separator(field)));
+}
+
+std::invalid_argument CsvReader::no_named_column(const std::string& column) const {
+  return complaint_at(0, "no column '" + column + "', which --columns names; the header is '" + excerpt(line_) + "'");
 }
 
 std::invalid_argument CsvReader::no_column(const std::string& column) const {

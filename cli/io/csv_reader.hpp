@@ -104,6 +104,7 @@ class CsvReader {
     std::size_t number;
   };
 
+  [[nodiscard]] std::invalid_argument no_named_column(const std::string& column) const;
   void take_names_in_memory();
   void find_header();
   void say(const std::string& note) const;
