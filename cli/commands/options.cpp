@@ -47,6 +47,7 @@ void Options::numbers(const std::string& name, std::vector<double>& values, Rang
 }
 
 void Options::file_columns(FileColumns& columns) {
+  columns.is_offered = true;
   value(
       "--columns", "LIST", [&columns](const std::string& list) { columns.read_names(list); },
       "Columns to read from the file: load=-Fz,force=Fx:Fy,moment=Fx:Fy:Fz:Tx:Ty:Tz reads -Fz as the load, the length "

@@ -595,6 +595,7 @@ std::invalid_argument CsvReader::no_column(const std::string& column) const {
         hint = "; capital letters count";
     }
   }
+  if (hint.empty() && file_columns_.is_offered) hint = "; or name the file's columns by --columns, as load=NAME";
   return complaint_at(
       0, "no column " + column + ", got '" + excerpt(line_) + "', expected a header line with " + expected_ + hint);
 }

@@ -49,6 +49,7 @@ struct FileColumns {
   std::string options = {};                                     ///< as they were typed
   std::optional<double> least_load = {};  ///< in the file's unit: rows with a smaller load are left out
   bool zero = false;                      ///< subtract the sensor's zero, from the pauses below the least load
+  bool is_offered = false;                ///< the command has these options
   bool is_log = false;                    ///< rows with a blank are left out, and so is a second line of units
   Messages* messages = nullptr;           ///< for notes; with it the header may follow other lines
 };
