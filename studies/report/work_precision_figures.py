@@ -66,13 +66,13 @@ def name(row):
     return " ".join(part for part in (row["family"], parameter(row)) if part)
 
 
-def cheapest_first(rows, cost="mean_ns"):
-    """Of (error, cost) the rows that no other beats, from the largest error on."""
+def cheapest_first(rows):
+    """The rows that no other beats in error and time, from the largest error on."""
     front, best = [], math.inf
-    for row in sorted(rows, key=lambda item: (max(item["max_error"], ROUNDING), item[cost])):
-        if row[cost] < best:
+    for row in sorted(rows, key=lambda item: (max(item["max_error"], ROUNDING), item["mean_ns"])):
+        if row["mean_ns"] < best:
             front.append(row)
-            best = row[cost]
+            best = row["mean_ns"]
     return front[::-1]
 
 
@@ -129,11 +129,8 @@ class Labels:
 
     def place(self):
         frame = self.axes.get_window_extent(self.renderer)
-        crowd = [
-            sum(math.hypot(at[0] - other[0][0], at[1] - other[0][1]) < 60
-                for other in self.wanted)
-            for at, _, _ in self.wanted
-        ]
+        crowd = [sum(math.hypot(at[0] - other[0][0], at[1] - other[0][1]) < 60 for other in self.wanted)
+                 for at, _, _ in self.wanted]
         for (at, word, colour), _ in sorted(zip(self.wanted, crowd), key=lambda item: -item[1]):
             probe = self.axes.text(0, 0, word, fontsize=self.size)
             extent = probe.get_window_extent(self.renderer)
@@ -143,12 +140,11 @@ class Labels:
             for ring, distance in enumerate((7, 12, 18, 26, 36, 48, 62, 78, 96)):
                 for turn in range(16):
                     angle = math.pi / 8 * turn
-                    cosine, sine = math.cos(angle), math.sin(angle)
-                    x = at[0] + distance * cosine + (width / 2 if cosine > 0.3 else -width / 2 if cosine < -0.3 else 0)
-                    y = at[1] + distance * sine + (height / 2 if sine > 0.3 else -height / 2 if sine < -0.3 else 0)
+                    x, y = (place + distance * part + (extent / 2 if part > 0.3 else -extent / 2 if part < -0.3 else 0)
+                            for place, part, extent in zip(at, (math.cos(angle), math.sin(angle)), (width, height)))
                     box = (x - width / 2 - 1, y - height / 2 - 1, x + width / 2 + 1, y + height / 2 + 1)
-                    outside = box[0] < frame.x0 + 2 or box[2] > frame.x1 - 2 or box[1] < frame.y0 + 2 or box[
-                        3] > frame.y1 - 2
+                    outside = (box[0] < frame.x0 + 2 or box[2] > frame.x1 - 2 or box[1] < frame.y0 + 2
+                               or box[3] > frame.y1 - 2)
                     cost = 3.0 * sum(self.overlap(box, other)
                                      for other in self.taken) + 1e4 * outside + 3.0 * distance + 2.0 * (turn % 4 != 0)
                     if best is None or cost < best[0]:
@@ -194,17 +190,9 @@ def law_panel(figure, axes, rows, law):
     axes.set(title=law, ylim=(0.15, 2e8), ylabel="mean time of a wrench  [ns]")
     error_axis(axes, 10)
     labels = Labels(figure, axes, 7)
-    ours = rows.where(kind="ours")
-    for front, style in ((cheapest_first(ours), {
-            "color": BLUE,
-            "linewidth": 5,
-            "alpha": 0.16
-    }), (cheapest_first(rows.where(kind="others")), {
-            "color": VERMILION,
-            "linewidth": 5,
-            "alpha": 0.16
-    })):
-        axes.plot(*steps(front, right), solid_capstyle="butt", zorder=0, **style)
+    for kind, colour in (("ours", BLUE), ("others", VERMILION)):
+        axes.plot(*steps(cheapest_first(rows.where(kind=kind)), right), solid_capstyle="butt", zorder=0, color=colour,
+                  linewidth=5, alpha=0.16)
     for family, of_family in rows.groups("family").items():
         by_parameter = FAMILIES[family][3]
         points, colour = draw_family(axes, labels, family, of_family, by_parameter,
@@ -294,6 +282,10 @@ def patch_panel(figure, axes, rows, quantity, title):
     axes.legend(loc="lower right", fontsize=7)
 
 
+def footer(figure, height, font_size, text):
+    figure.text(0.5, height, text, ha="center", fontsize=font_size, color=FAINT)
+
+
 def work_precision(data):
     rows = data["work_precision_wrench"].where(law="hertz")
     figure, axes = plt.subplots(figsize=(8.4, 6.2), layout="none")
@@ -321,16 +313,9 @@ def work_precision(data):
             for point, row, word in zip(points, of_family, chosen):
                 labels.dot(*point, "" if word else name(row), colour)
     labels.place()
-    figure.text(
-        0.5,
-        0.012,
-        "Ringed: what to take, and for what. Filled: this library. Hollow: others. Dashes above dots: one of 64 "
-        "tables, visited at random.\n"
-        "Error against 50-digit values of eq. (17), between them against evaluate in 80 bits. "
-        f"Measured on {data['work_precision_step'][0]['machine']}.",
-        ha="center",
-        fontsize=8,
-        color=FAINT)
+    footer(figure, 0.012, 8, "Ringed: what to take, and for what. Filled: this library. Hollow: others. Dashes above "
+           "dots: one of 64 tables, visited at random.\nError against 50-digit values of eq. (17), between them against "
+           f"evaluate in 80 bits. Measured on {data['work_precision_step'][0]['machine']}.")
     return figure
 
 
@@ -346,13 +331,8 @@ def all_work_precision(data):
     patches = data["work_precision_patch"]
     patch_panel(figure, panels.flat[6], patches, "wrench", "a wrench of a contact that is not round")
     patch_panel(figure, panels.flat[7], patches, "step", "a step of a finger on it, which slips: error of friction")
-    handles = {}
-    for axes in panels.flat[:len(laws)]:
-        handles.update({
-            label: handle
-            for handle, label in zip(*axes.get_legend_handles_labels())
-            if label in LEGEND.values()
-        })
+    handles = {label: handle for axes in panels.flat[:len(laws)]
+               for handle, label in zip(*axes.get_legend_handles_labels()) if label in LEGEND.values()}
     order = [label for label in LEGEND.values() if label in handles]
     figure.legend([handles[label] for label in order],
                   order,
@@ -360,16 +340,8 @@ def all_work_precision(data):
                   ncols=4,
                   bbox_to_anchor=(0.5, 0.025),
                   handlelength=3.5)
-    machine = step[0]["machine"]
-    figure.text(
-        0.5,
-        0.004,
-        "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others "
-        "(red).\n"
-        "Dashes above dots: one of 64 tables, visited at random. Error against 50-digit values, between them against "
-        "evaluate.\n"
-        f"Measured on {machine}; contacts that are not round on {patches[0]['machine']}.",
-        ha="center",
-        fontsize=8.5,
-        color=FAINT)
+    footer(figure, 0.004, 8.5, "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) "
+           "and of the others (red).\nDashes above dots: one of 64 tables, visited at random. Error against 50-digit "
+           "values, between them against evaluate.\n"
+           f"Measured on {step[0]['machine']}; contacts that are not round on {patches[0]['machine']}.")
     return figure

@@ -7,7 +7,7 @@ import re
 import unittest
 from pathlib import Path
 
-from command_line import CommandLineTest, rows, run
+from command_line import FINGER, CommandLineTest, rows, run
 from test_patch import by_points
 
 
@@ -133,45 +133,36 @@ class Choose(CommandLineTest):
         self.assertTrue(run(*scene, "--twist-rate", "0").stderr.startswith("limitcurve: no torsion is needed"))
 
     def test_a_scene_says_what_to_type_into_replay(self):
+        """What was given and what the scene says, together, make a replay."""
         trace = self.file("trace.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n")
         loads = "load,radius\n0.5,0.005\n1,{}\n2,{}\n".format
         plateau = f"samples:{self.file('plateau.csv', loads(0.006, 0.006))}"
         ends = f"samples:{self.file('ends.csv', loads(0.0052, 0.005))}"
+
+        def said(given, tolerance, *more):
+            done = run("choose", "--scene", "--law", "hertz", *given, "--tolerance", tolerance, *more)
+            line = next(line for line in done.stderr.splitlines() if line.startswith("limitcurve: replay it with "))
+            options = line.removeprefix("limitcurve: replay it with ").removesuffix(" instead of --radius-law").split()
+            kept = [*given]
+            if "--radius-law" in given and {"--mu-r", "--radius-law"} & {*options}:
+                del kept[given.index("--radius-law"):given.index("--radius-law") + 2]
+            self.assertEqual(len(rows("replay", "--trace", trace, "--law", "hertz", *kept, *options, "--quiet")), 2)
+            return done, options
+
         # The last two are equal at the most load and at the mean one, or at both ends.
         for radius, tolerance, more in (("constant:a=0.006", 0.3, ["--twist-rate", "0"]),
                                         ("power:c=0.005,gamma=0.3", 0.02, []), ("power:c=0.005,gamma=0.3", 1e-4, []),
                                         (plateau, 0.3, []), (ends, 0.02, []), (ends, 0.3, [])):
-            finger = [
-                "--law", "hertz", "--radius-law", radius, "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness",
-                "0.036"
-            ]
-            done = run("choose", "--scene", *finger, "--tolerance", tolerance, "--sample-time", "0.02", *more)
-            line = next(line for line in done.stderr.splitlines() if line.startswith("limitcurve: replay it with "))
-            options = line.removeprefix("limitcurve: replay it with ").removesuffix(" instead of --radius-law").split()
+            done, options = said(["--radius-law", radius, *FINGER[4:]], tolerance, "--sample-time", "0.02", *more)
             best = next(row for row in done.stdout.splitlines() if row.endswith(",true")).split(",")[0]
             follows = best.endswith("/a(P)") or best == "no torsion" or radius.startswith("constant")
-            self.assertEqual("--radius-law" not in options, follows, (best, line))
-            if "--mu-r" in options:
-                del finger[2:4]
-            elif "--radius-law" in options:
-                finger[3] = options[options.index("--radius-law") + 1]
-                del options[options.index("--radius-law"):]
+            self.assertEqual("--radius-law" not in options, follows, (best, options))
             if best != "no torsion":
                 self.assertEqual(best.split("/")[:2], [options[1], options[3]])
-            self.assertEqual(len(rows("replay", "--trace", trace, *finger, *options, "--quiet")), 2)
-
-    def test_what_a_scene_leaves_out_is_said_and_typed(self):
-        trace = self.file("trace.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n")
         for given in [[], ["--mu", "0.6"], ["--mu-r", "0.002"],
                       ["--stiffness", "500", "--radius-law", "constant:a=0.004"]]:
-            done = run("choose", "--scene", "--law", "hertz", "--tolerance", "0.2", *given)
-            (line,) = (line for line in done.stderr.splitlines() if line.startswith("limitcurve: replay it with "))
-            self.assertEqual("a = 5 mm" in done.stderr, "--mu-r" not in given and "--radius-law" not in given,
-                             done.stderr)
-            self.assertEqual(
-                len(
-                    rows("replay", "--trace", trace, "--law", "hertz", *given,
-                         *line.removeprefix("limitcurve: replay it with ").split())), 2)
+            told = said(given, "0.2")[0].stderr
+            self.assertEqual("a = 5 mm" in told, "--mu-r" not in given and "--radius-law" not in given, told)
 
 
 if __name__ == "__main__":
