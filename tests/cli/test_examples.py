@@ -48,6 +48,18 @@ class Examples(CommandLineTest):
         for line in examples:
             self.succeed(line)
 
+    def test_the_papers_page(self):
+        """Commands in its tables; a word in capitals stands for words."""
+        text = (ROOT / "docs" / "paper.md").read_text(encoding="utf-8")
+        words = dict(re.findall(r'(?m)^([A-Z]+)="([^"]+)"$', text))
+        lines = "\n".join(re.findall(r"(?m)^\| .*", text))
+        calls = set(re.findall(r"`((?:limitcurve|\$SLIDE) [^`]+)`", lines))
+        self.assertGreater(len(calls), 10)
+        for call in sorted(calls):
+            while "$" in call:
+                call = re.sub(r"\$([A-Z]+)", lambda name: words[name[1]], call)
+            self.succeed(call)
+
     def test_the_columns_of_the_contract(self):
         contract = dict(
             re.findall(r"^\| `([a-z-]+)` \| `([a-z_,]+)` \|",

@@ -204,12 +204,6 @@ class Writing(CommandLineTest):
     def alone(self):
         self.assertEqual([entry.name for entry in self.directory.iterdir()], ["table.csv"])
 
-    def test_an_old_file_is_replaced_whole(self):
-        path = self.file("table.csv", "old")
-        rows(*self.CALL, path)
-        self.assertTrue(path.read_text().startswith("# limitcurve table"))
-        self.alone()
-
     def test_where_nothing_can_be_written(self):
         self.assert_fails(1, ["absent/table.csv", "No such file"], *self.CALL, self.directory / "absent" / "table.csv")
         self.assert_fails(1, ["/dev/null/table.csv", "Not a directory"], *self.CALL, "/dev/null/table.csv")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Entry "geometry": angles and shapes.
 #include "../failures.hpp"
+#include "../numerics/sampling.hpp"
 
 #include "../../../tests/touch.hpp"
 #include "godobject/soft_finger.hpp"
@@ -78,7 +79,7 @@ Hazard half_a_turn() {
     const std::array moments{customary.update(device), finger.update(contact, device).moment / limit};
     for (std::size_t j = 0; j < series.size(); ++j) {
       // Right friction: against the rotation, growing to the limit and staying there.
-      worst[j] = std::max(worst[j], std::fabs(moments[j] + std::min(angle / largest_lag, 1.0)));
+      raise(worst[j], std::fabs(moments[j] + std::min(angle / largest_lag, 1.0)));
       if (i % 5 == 0) figure.add("moment", series[j], angle, moments[j]);
     }
   }
@@ -101,7 +102,7 @@ Hazard thin_plate() {
     const Vector3d finger(0.003, 0.001, half.z() - depth);
     const std::array forces{push(nearest_face(half, finger)), push(touch(box, finger, memory))};
     for (std::size_t j = 0; j < forces.size(); ++j) {
-      short_by[j] = std::max(short_by[j], std::max(stiffness * depth, 0.0) - forces[j]);
+      raise(short_by[j], std::max(stiffness * depth, 0.0) - forces[j]);
     }
   }
   found.add("thin plate", "nearest surface point (ours: box)",
@@ -139,9 +140,9 @@ Hazard normals_that_jump() {
     const double most = mu * depth;
     if (pull.norm() > most) pull *= most / pull.norm();
     proxy = contact.point + pull;
-    customary = std::max(customary, std::fabs(pull.dot(normal)) / most);
+    raise(customary, std::fabs(pull.dot(normal)) / most);
     const FingerOutput output = finger.update(contact, 0.0);
-    ours = std::max(ours, std::fabs(output.force.dot(normal)) / (mu * output.load));
+    raise(ours, std::fabs(output.force.dot(normal)) / (mu * output.load));
     work = std::min(work, output.slip_work);
   }
   found.add("normals that jump", "spring to the proxy, clamped to μP", "friction along the normal / μP (edges of 45°)",

@@ -10,7 +10,6 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -112,10 +111,8 @@ Hazard newton_without_bracket() {
   const Law law = hertz();
   const FingerCurve table(Table::build(law, 1e-10));
   double ours = 0.0;
-  for (const double kappa : in_ratios(1e-6, 1e6, 37))
-    ours = std::max(ours, failures(law, table, kappa, 1e-4, 10.0).ours);
-  for (const double over : in_ratios(1e-4, 1e8, 37))
-    ours = std::max(ours, failures(law, table, 1.0, over, over * 1.0001).ours);
+  for (const double kappa : in_ratios(1e-6, 1e6, 37)) raise(ours, failures(law, table, kappa, 1e-4, 10.0).ours);
+  for (const double over : in_ratios(1e-4, 1e8, 37)) raise(ours, failures(law, table, 1.0, over, over * 1.0001).ours);
   const Failures even = failures(law, table, 1.0, 1e-4, 10.0);
   const Failures stiff = failures(law, table, 1e6, 1e-4, 10.0);
   const std::string share = "share of slips with no closest point found ";

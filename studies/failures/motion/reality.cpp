@@ -103,7 +103,7 @@ Hazard rates_and_jitter() {
       const double force = std::fabs(bristles.update(x, limit)) / limit;
       most.first = force <= 1e6 ? std::max(most.first, force) : 1e6;
       const FingerOutput output = finger.update(at(x), 0.0);
-      most.second = std::max(most.second, output.force.norm() / limit);
+      raise(most.second, output.force.norm() / limit);
     }
     return most;
   };
@@ -111,13 +111,13 @@ Hazard rates_and_jitter() {
   const auto error = [&](double rate) {
     const std::vector<Vector3d> forces = stirring(rate, jitter);
     double worst = 0.0;
-    for (std::size_t i = 0; i < truth.size(); ++i) worst = std::max(worst, (forces[i] - truth[i]).norm() / limit);
+    for (std::size_t i = 0; i < truth.size(); ++i) raise(worst, (forces[i] - truth[i]).norm() / limit);
     return worst;
   };
   double ours = 0.0;
   for (const double rate : in_ratios(100.0, 1e4, 33)) {
     const auto [customary, held] = largest(rate);
-    ours = std::max(ours, held);
+    raise(ours, held);
     figure.add("force", "bristles", rate, customary);
     figure.add("force", "limitcurve", rate, held);
     figure.add("error", "limitcurve", rate, error(rate));

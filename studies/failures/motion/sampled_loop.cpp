@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Entry "time": forces that are sampled, late, and from the steps of an encoder.
 #include "../failures.hpp"
+#include "../numerics/sampling.hpp"
 #include "godobject/scene/passivity.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/approximations.hpp"
@@ -60,8 +61,8 @@ struct Device {
       x += final * tick + (v - final) * mass / damping * (1.0 - decay);
       v = final + (v - final) * decay;
       const double amplitude = std::hypot(x, v * std::sqrt(mass / stiffness));
-      if (i < part) first = std::max(first, amplitude);
-      if (i >= second) last = std::max(last, amplitude);
+      if (i < part) raise(first, amplitude);
+      if (i >= second) raise(last, amplitude);
     }
     return last / first;
   }
@@ -105,10 +106,10 @@ Hazard encoder_steps() {
       spring = std::copysign(mu, spring);
       customary_proxy = x + spring / stiffness;
     }
-    customary = std::max(customary, std::fabs(spring - damping * (x - last) / sample_time) / mu);
+    raise(customary, std::fabs(spring - damping * (x - last) / sample_time) / mu);
     last = x;
     const FingerOutput output = dragged.update(pressed(x, 1e-3), 0.0, sample_time);
-    ours = std::max(ours, output.force.norm() / (mu * output.load));
+    raise(ours, output.force.norm() / (mu * output.load));
   }
   found.add("encoder steps of 10 µm, velocities from differences", "damper beside the friction limit",
             "largest friction force / limit (5 N s/m, 5 mm/s, 10 kHz)", customary, ours);

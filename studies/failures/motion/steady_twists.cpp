@@ -76,7 +76,7 @@ Hazard stiffness_ratios() {
   const FingerCurve table = Table::build(hertz(), 1e-8);
   double ours = 0.0;
   for (const double kappa : in_ratios(1e-6, 1e6, 49)) {
-    ours = std::max(ours, normalised_distance(settled(table, Projection::closest_point, kappa), truth));
+    raise(ours, normalised_distance(settled(table, Projection::closest_point, kappa), truth));
   }
   const auto add = [&](const char* method, const FingerCurve& curve, Projection projection, double kappa,
                        const char* name) {
@@ -100,7 +100,7 @@ Hazard order_of_limits() {
     const SlipTwist twist = SlipTwist::about_cor(s);
     const std::array wrenches{one_after_the_other(s, true), one_after_the_other(s, false), table.wrench(twist)};
     for (std::size_t i = 0; i < worst.size(); ++i)
-      worst[i] = std::max(worst[i], normalised_distance(wrenches[i], curve.wrench(twist)));
+      raise(worst[i], normalised_distance(wrenches[i], curve.wrench(twist)));
   }
   const std::string quantity = "error of the wrench of a steady twist (0.1 ≤ c/a ≤ 10)";
   found.add("order of the limits", "force first, moment within the rest", quantity, worst[0], worst[2]);

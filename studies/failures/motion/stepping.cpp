@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Entry "time": finger springs on a light body.
 #include "../failures.hpp"
+#include "../numerics/sampling.hpp"
 
 #include "../../../tests/integrators.hpp"
 #include "godobject/surfaces/surfaces.hpp"
@@ -48,8 +49,8 @@ bool gains_energy(Integrator integrator, double kappa) {
     test::step_by(integrator, scene, devices, tick);
     const double away = std::fabs(scene.body().position.x());
     if (!(away <= 1e4 * little)) return true;
-    if (i >= steps / 2 && i < steps / 2 + swing) first = std::max(first, away);
-    if (i >= steps - swing) last = std::max(last, away);
+    if (i >= steps / 2 && i < steps / 2 + swing) raise(first, away);
+    if (i >= steps - swing) raise(last, away);
   }
   // A decay to rounding is no growth.
   return last > 1.1 * std::max(first, 1e-3 * little);

@@ -70,8 +70,8 @@ Hazard moment_far_away() {
       const Exact truth = form.truth(cors[i]);
       figure.add("far", form.law, cors[i], std::min(relative_error(form.moment(cors[i]), truth), 1.0));
       const double error = relative_error(law->forces(cors[i]).moment, truth);
-      ours[i] = std::max(ours[i], error);
-      worst = std::max(worst, error);
+      raise(ours[i], error);
+      raise(worst, error);
     }
     const double at = 1e4;
     found.add("closed form as s → ∞", std::string(form.law) + ", as printed",
@@ -84,7 +84,7 @@ Hazard moment_far_away() {
 Hazard force_near_the_centre() {
   double worst = 0.0;
   for (const double s : in_ratios(1e-10, 0.9, 120)) {
-    worst = std::max(worst, relative_error(uniform()->forces(s).force, exact_power(0.0, s).force));
+    raise(worst, relative_error(uniform()->forces(s).force, exact_power(0.0, s).force));
   }
   const double at = 1e-8;
   return {{{"closed form as s → 0", "uniform, as printed", "relative error of f at s = 1e-8 (ours: s ≥ 1e-10)",

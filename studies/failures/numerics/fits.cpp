@@ -37,8 +37,8 @@ Hazard cor_near_the_axes() {
     const UnitWrench wrench{static_cast<double>(exact.force), static_cast<double>(exact.moment)};
     // A factor in either direction.
     const auto off = [s](double cor) { return std::max(cor / s, s / cor) - 1.0; };
-    usual = std::max(usual, off(ellipse.along(wrench).normal.cor()));
-    ours = std::max(ours, off(table.along(wrench).normal.cor()));
+    raise(usual, off(ellipse.along(wrench).normal.cor()));
+    raise(ours, off(table.along(wrench).normal.cor()));
   }
   return {{{"COR implied by a fitted curve", "ellipse",
             "factor to the true COR minus 1 (flat punch, 1e-3 ≤ s ≤ 1e3; ours: table of 1e-8)", usual, ours}},

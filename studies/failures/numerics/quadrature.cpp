@@ -26,10 +26,6 @@ double our_force(const PressureLaw& law, double s) {
   return study::ByRing(law).forces(s).force;
 }
 
-void raise(double& worst, double value) {
-  worst = std::max(worst, value);
-}
-
 }  // namespace
 
 Hazard centre_under_the_finger() {
@@ -46,7 +42,7 @@ Hazard centre_under_the_finger() {
     const customary::Answer answer = customary::tanh_sinh(integrand);
     const std::array errors{relative_error(answer.value, truth), relative_error(customary::gauss(integrand), truth),
                             relative_error(our_force(*law, s), truth)};
-    for (std::size_t i = 0; i < errors.size(); ++i) raise(worst[i], errors[i]);
+    raise(worst, errors);
     // An error estimate below rounding is meaningless.
     const double error = static_cast<double>(abs(Exact(answer.value - truth)));
     if (error > 1e-14) raise(unstated, error / std::max(answer.stated_error, 1e-300));
@@ -62,7 +58,7 @@ Hazard centre_under_the_finger() {
     std::array<double, 3> here{};
     for (int k = 0; k < places; ++k) {
       const std::array errors = measure(2.0 * (i + (k + 0.3717) / places) / stretches);
-      for (std::size_t j = 0; j < here.size(); ++j) raise(here[j], errors[j]);
+      raise(here, errors);
     }
     for (std::size_t j = 0; j < here.size(); ++j) figure.add("across", series[j], 2.0 * (i + 0.5) / stretches, here[j]);
   }
@@ -102,7 +98,7 @@ Hazard singular_rim() {
     std::array<double, 3> worst{};
     for (const double s : {0.1, 0.5, 0.9, 1.1, 2.0}) {
       const auto at_place = errors(n, s);
-      for (std::size_t i = 0; i < worst.size(); ++i) raise(worst[i], at_place[i]);
+      raise(worst, at_place);
     }
     const std::string quantity = std::string("relative error of f (") + name + ", at five CORs)";
     found.add("pressure infinite at the rim", "Boost's tanh-sinh, split at s", quantity, worst[0], worst[2]);
@@ -140,7 +136,7 @@ Hazard kinks_of_a_profile() {
     const std::array errors{relative_error(answer.value, exact),
                             relative_error(customary::gauss(integrand, customary::split_at(s)), exact),
                             relative_error(our_force(told, s), exact)};
-    for (std::size_t i = 0; i < errors.size(); ++i) raise(worst[i], errors[i]);
+    raise(worst, errors);
     raise(unstated, static_cast<double>(abs(Exact(answer.value - exact))) / std::max(answer.stated_error, 1e-300));
     for (const PressureLaw* law : {&told, &untold}) {
       const WrenchEstimate estimate = law->evaluate(s, Method::ring);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace limitcurve::stability {
@@ -19,6 +20,15 @@ inline std::vector<double> in_ratios(double from, double to, int count) {
   std::vector<double> numbers = evenly(std::log(from), std::log(to), count);
   for (double& number : numbers) number = std::exp(number);
   return numbers;
+}
+
+/// Keeps the larger value, of each of several.
+inline void raise(double& worst, double value) {
+  worst = std::max(worst, value);
+}
+template <class Values>
+void raise(Values& worst, const Values& values) {
+  for (std::size_t i = 0; i < worst.size(); ++i) raise(worst[i], values[i]);
 }
 
 }  // namespace limitcurve::stability

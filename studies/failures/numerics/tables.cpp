@@ -133,7 +133,7 @@ Hazard even_spacing() {
   const auto places = flat_punch_around_the_rim(last);
   const auto worst_of = [&](const auto& wrench) {
     double worst = 0.0;
-    for (const auto& [s, exact] : places) worst = std::max(worst, absolute_error(wrench(s), exact));
+    for (const auto& [s, exact] : places) raise(worst, absolute_error(wrench(s), exact));
     return worst;
   };
   const auto even_error = [&](int nodes) {
@@ -179,7 +179,7 @@ Hazard beyond_the_last_node() {
   };
   constexpr std::array series{"last value held", "last cubic extrapolated", "Boost's cubic spline"};
   double ours = 0.0;
-  for (const double s : in_ratios(1.0, 1e6, 110)) ours = std::max(ours, errors(s)[3]);
+  for (const double s : in_ratios(1.0, 1e6, 110)) raise(ours, errors(s)[3]);
   const auto far = errors(1e4);
   for (std::size_t i = 0; i < series.size(); ++i) {
     found.add("COR beyond the last node", std::string(series[i]) + ", 64 nodes to s = 5",
@@ -191,9 +191,9 @@ Hazard beyond_the_last_node() {
 Hazard false_equilibria() {
   double usual = 0.0;
   double ours = 0.0;
-  for (const int nodes : {17, 33, 65, 129, 257, 513}) usual = std::max(usual, rests(splined(*hertz(), nodes)));
+  for (const int nodes : {17, 33, 65, 129, 257, 513}) raise(usual, rests(splined(*hertz(), nodes)));
   for (const double tolerance : in_ratios(1e-2, 1e-10, 9))
-    ours = std::max(ours, rests(tabulated(Table::build(hertz(), tolerance))));
+    raise(ours, rests(tabulated(Table::build(hertz(), tolerance))));
   return {{{"interpolant not convex", "cubic splines of f and m through values of four decimals",
             "equilibrium wrenches of one steady twist", usual, ours}},
           {}};
