@@ -133,6 +133,9 @@ class Table(list):
             parts[tuple(row[name] for name in names) if len(names) > 1 else row[names[0]]].append(row)
         return parts
 
+    def columns(self, *names):
+        return [self.column(name) for name in names]
+
     def column(self, name, scale=None):
         return [row[name] if scale is None else row[name] * scale for row in self]
 
@@ -142,6 +145,11 @@ def _value(text):
         return float(text)
     except (TypeError, ValueError):
         return text
+
+
+def pair(height, **options):
+    """A figure as wide as the page, with two panels."""
+    return plt.subplots(1, 2, figsize=(9.6, height), **options)
 
 
 def quadrant(axes, title, x_label, y_label):

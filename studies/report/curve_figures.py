@@ -4,20 +4,20 @@
 import math
 
 from .chart_style import (BLUE, ELLIPSE, FAINT, GREEN, GRID, INK, ORANGE, VERMILION, Table, framed, law_style,
-                          legend_in_sight, note, only_ticks, plt, quadrant, short)
+                          legend_in_sight, note, only_ticks, pair, plt, quadrant, short)
 
 CIRCLE = [[along(math.pi / 2 * i / 72) for i in range(73)] for along in (math.cos, math.sin)]
 
 
 def limit_curves(data):
     """Paper, Fig. 3, corrected: every law lies inside the ellipse."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.7))
+    figure, (left, right) = pair(4.7)
     lens = left.inset_axes([0.06, 0.06, 0.52, 0.52])
     for law, rows in data["curves"].groups("law").items():
         rows = Table(rows[::5])  # chords of 2.5 degrees look round
         for axes in (left, lens):
-            axes.plot(rows.column("x"), rows.column("y"), label=law, **law_style(law))
-        right.plot(rows.column("force"), rows.column("moment"), **law_style(law))
+            axes.plot(*rows.columns("x", "y"), label=law, **law_style(law))
+        right.plot(*rows.columns("force", "moment"), **law_style(law))
     for axes in (left, lens):
         axes.plot(*CIRCLE, label="ellipse", **ELLIPSE)
         axes.set_aspect("equal", adjustable="box")
@@ -68,7 +68,7 @@ def title_of_radius_law(text):
 
 
 def ellipse_error(data):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9))
+    figure, (left, right) = pair(3.9)
     groups = data["ellipse_error"].groups("law")
     for law in sorted(groups, key=lambda name: -max(groups[name].column("over_estimate"))):
         rows = groups[law]
@@ -114,9 +114,9 @@ def models(data):
 
 
 def tables(data):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), width_ratios=(1, 1.15))
+    figure, (left, right) = pair(3.9, width_ratios=(1, 1.15))
     for law, rows in data["tables"].groups("law").items():
-        left.plot(rows.column("tolerance"), rows.column("bytes"), marker="o", markersize=3, label=law, **law_style(law))
+        left.plot(*rows.columns("tolerance", "bytes"), marker="o", markersize=3, label=law, **law_style(law))
     tolerances = data["tables"].column("tolerance")
     left.set(title="Size of the table [bytes]", xscale="log", yscale="log", xlabel="tolerance in f and m")
     left.set_xlim(max(tolerances) * 2, min(tolerances) / 2)
@@ -142,7 +142,7 @@ RESIDUALS_SHOWN = 6
 
 
 def fits(data):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1))
+    figure, (left, right) = pair(4.1)
     samples, curve = data["fit_residuals"], data["curves"].where(law="hertz")
     mu, mu_r, gamma = (data["fits"].where(data="slips", parameter=name)[0]["value"] for name in ("mu", "mu_r", "gamma"))
     left.plot([row["force"] / row["load"] for row in samples],
@@ -183,11 +183,11 @@ ENGINE_STYLES = {  # marker, colour, filled
 
 
 def engines(data):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.4))
+    figure, (left, right) = pair(4.4)
     drag = data["engine_drag"]
     exact = drag.where(engine=drag[0]["engine"], model=drag[0]["model"])
     curve = data["curves"].where(law="hertz")
-    left.plot(curve.column("x"), curve.column("y"), color=INK, linewidth=1.8, label="exact (Hertz)", zorder=3)
+    left.plot(*curve.columns("x", "y"), color=INK, linewidth=1.8, label="exact (Hertz)", zorder=3)
     left.plot(*CIRCLE, color=BLUE, linewidth=0.9)
     left.plot([0, 1], [1, 0], color=GREEN, linewidth=0.9)
     left.plot([0, 1, 1], [1, 1, 0], color=ORANGE, linewidth=0.9)
@@ -198,7 +198,7 @@ def engines(data):
                  "markerfacecolor": colour if filled else "none"}
         name = {"mujoco": "MuJoCo", "ode": "ODE", "bullet": "Bullet"}[engine]
         label = f"{name} {rows[0]['version'].removeprefix('PyBullet ')}, {model}"
-        left.plot(rows.column("force"), rows.column("moment"), linestyle="", label=label, zorder=4, **style)
+        left.plot(*rows.columns("force", "moment"), linestyle="", label=label, zorder=4, **style)
         between = [row for row in rows if ends[0] <= row["c"] <= ends[1]]
         right.plot(
             [row["c"] for row in between],

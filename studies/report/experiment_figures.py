@@ -116,7 +116,7 @@ def unit_curve(data, case):
     if case == "uncoupled":
         return [(0, 1), (1, 1), (1, 0)]
     hertz = data["curves"].where(law="hertz")
-    return list(zip(hertz.column("x"), hertz.column("y")))
+    return list(zip(*hertz.columns("x", "y")))
 
 
 SHOWN_STEPS = 9

@@ -3,7 +3,8 @@
 
 import math
 
-from .chart_style import BLUE, FAINT, INK, VERMILION, legend_in_sight, mark_ratios, note, only_ticks, plt, quadrant
+from .chart_style import (BLUE, FAINT, INK, VERMILION, legend_in_sight, mark_ratios, note, only_ticks, pair, plt,
+                          quadrant)
 
 TITLES = {"ellipse": "Ellipse, radial (the paper's)", "table": "Exact curve, closest point"}
 TRACE_TITLES = {"press_drag_release": "press, drag, release", "press_twist_release": "press, twist, release",
@@ -111,7 +112,7 @@ TWIST_LOOKS = {
 
 def steady_twist(data):
     rows = data["steady_twist"]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.3), width_ratios=(1.18, 1))
+    figure, (left, right) = pair(4.3, width_ratios=(1.18, 1))
     for key, part in rows.groups("boundary", "projection").items():
         label, look = TWIST_LOOKS[key]
         left.plot(part.column("stiffness_ratio"), part.column("error", 100), label=label, **look)
@@ -127,7 +128,7 @@ def steady_twist(data):
     law = rows[0]["law"]
     curve = data["curves"].where(law=law)
     moment_ratio = data["laws"].where(law=law)[0]["moment_ratio"]
-    right.plot(curve.column("x"), curve.column("y"), color=FAINT, linewidth=1.2)
+    right.plot(*curve.columns("x", "y"), color=FAINT, linewidth=1.2)
     radial = rows.where(boundary="table", projection="radial")
     right.plot(radial.column("force"), radial.column("moment", 1 / moment_ratio), color=VERMILION, linewidth=2.2)
     for ratio in (0.1, 0.5, 1, 2.88, 10):

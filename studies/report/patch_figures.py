@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: MIT
 """The report's figure of contacts that are not round."""
 
-import matplotlib.pyplot as plt
-
-from .chart_style import BLUE, FAINT, GREEN, ORANGE
+from .chart_style import BLUE, FAINT, GREEN, ORANGE, pair
 
 SETS = {"tripod_hardboard_a": ("hardboard", "o"), "tripod_plywood_a": ("plywood", "^")}
 MODELS = {"exact": ("points, exactly", BLUE, ""), "ellipsoid": ("ellipsoid", ORANGE, "_ellipsoid")}
 
 
 def patches(data):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1))
+    figure, (left, right) = pair(4.1)
     for name, (label, marker) in SETS.items():
         pushes = data["patch_pushes"].where(data=name)
         fits = {row["parameter"]: row["value"] for row in data["patch_fits"].where(data=name)}
