@@ -13,6 +13,7 @@ import pytest
 
 matplotlib.use("Agg")
 
+SCENE = {"radius_law": "constant:a=0.006", "mu": 0.6, "stiffness": 1000, "twist_stiffness": 0.036}
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 

@@ -11,6 +11,8 @@ import limitcurve.plot
 import numpy as np
 import pytest
 
+from conftest import SCENE
+
 TABLE = lc.Table("hertz", tolerance=1e-8)
 
 
@@ -18,12 +20,11 @@ def test_times_that_are_nan():
     """Ticks of any unit once counted as seconds."""
     time = np.arange(3) * np.timedelta64(1, "ms")
     trace = {"time": time, "x": np.zeros(3), "y": np.zeros(3), "z": np.zeros(3), "twist": np.zeros(3)}
-    scene = {"radius_law": "constant:a=0.006", "mu": 0.6, "stiffness": 1000, "twist_stiffness": 0.036}
     for column in (time, time + np.datetime64("2024-01-01"), time.astype(object), np.array(list(time), object)):
         with pytest.raises(ValueError, match=r"^trace\['time'\]: got (times of|an array of object)"):
-            lc.replay({**trace, "time": column}, "hertz", **scene)
+            lc.replay({**trace, "time": column}, "hertz", **SCENE)
     trace["time"] = (time - time[0]) / np.timedelta64(1, "s")  # what the message says
-    assert lc.replay(trace, "hertz", **scene)["time"].tolist() == [0, 0.001, 0.002]
+    assert lc.replay(trace, "hertz", **SCENE)["time"].tolist() == [0, 0.001, 0.002]
     with pytest.raises(ValueError, match="^c: got times of timedelta64"):
         lc.run("eval", law="hertz", c=time)
 
@@ -205,12 +206,11 @@ def test_units_of_texts_and_traces_are_asked_about_and_of_numbers_not(recwarn):
         TABLE.load_to_hold(number, number, mu=0.6, mu_r=0.003)
     assert not recwarn.list
     trace = trace_of(50)
-    scene = dict(mu=0.6, radius_law="constant:a=0.006", stiffness=1000, twist_stiffness=0.036)
     other = {**{name: column * 1000 for name, column in trace.items()}, "twist": trace["twist"]}
     assert lc.replay(other, "hertz", units={
         "length": "mm",
         "time": "ms"
-    }, **scene)["fx"] == pytest.approx(lc.replay(trace, "hertz", **scene)["fx"], abs=1e-12)
+    }, **SCENE)["fx"] == pytest.approx(lc.replay(trace, "hertz", **SCENE)["fx"], abs=1e-12)
 
 
 def test_values_say_what_they_are():
@@ -248,8 +248,7 @@ def trace_of(n):
     lambda law: law.evaluate(np.linspace(0, 3, 10 ** 6)),
     lambda _: lc.Patch.image(np.ones((64, 64)), 1e-3).wrench(np.ones((10 ** 6, 3))),
     lambda _: lc.fit("law", slips_of(200_000), quiet=True),
-    lambda _: lc.replay(
-        trace_of(10 ** 7), "hertz", radius_law="constant:a=0.006", mu=0.6, stiffness=1000, twist_stiffness=0.036),
+    lambda _: lc.replay(trace_of(10 ** 7), "hertz", **SCENE),
 ],
                          ids=["table", "choice", "law", "patch", "fit", "replay"])
 def test_ctrl_c_ends_long_work(work):

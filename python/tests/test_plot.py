@@ -8,6 +8,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from conftest import SCENE
+
 
 @pytest.fixture(autouse=True)
 def closed():
@@ -27,10 +29,6 @@ def test_limit_curve_with_points_and_fits():
     f, m = ax.lines[0].get_data()
     assert (f[0], m[-1]) == (0, 0) and f[-1] == 1 and np.array_equal(
         lc.Law("hertz").evaluate(np.linspace(0, 1, 129))[0], f[:129])
-    x, y = ax.lines[1].get_data()
-    assert np.allclose(x**2 + (y / m[0]) ** 2, 1)
-    inner = ax.lines[2].get_data()  # an ellipse inside: no point of it is beyond the curve
-    assert lc.Table("hertz", 1e-8).gauge(*inner).max() <= 1 + 1e-6
     assert np.allclose(ax.lines[-1].get_data()[0], 0.5)
     loads = np.array([2.0, 0.5, 2.0])
     slips = {"load": loads, "force": 0.3 * loads, "moment": 0.1 * 0.6 * loads * 2e-3 * loads ** (1 / 3)}
@@ -61,10 +59,9 @@ def test_errors_of_approximations():
 
 
 def test_a_replay_stays_within_its_limit(data):
-    scene = dict(radius_law="constant:a=0.006", mu=0.6, stiffness=1000, twist_stiffness=0.036)
     trace = pd.read_csv(data / "traces/slide_twist_load.csv", comment="#")
-    table = lc.replay(trace, "hertz", **scene)
-    ax = lc.plot.replay(table, trace, law="hertz", **scene)
+    table = lc.replay(trace, "hertz", **SCENE)
+    ax = lc.plot.replay(table, trace, law="hertz", **SCENE)
     assert [line.get_label() for line in ax.lines][1:3] == ["stick", "slip"]
     same = lc.plot.replay(table, data / "traces/slide_twist_load.csv")
     assert np.allclose(same.lines[2].get_data()[0], ax.lines[2].get_data()[0])

@@ -13,9 +13,7 @@ import limitcurve as lc
 import pandas as pd
 import pytest
 
-from conftest import same
-
-SCENE = dict(radius_law="constant:a=0.006", mu=0.6, stiffness=1000, twist_stiffness=0.036)
+from conftest import SCENE, same
 
 
 def columns(file):

@@ -13,6 +13,8 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from limitcurve import arrays
 
+from conftest import SCENE
+
 TABLE = lc.Table("hertz", tolerance=1e-8)
 CORS = st.floats(min_value=0, allow_nan=False) | st.just(math.inf)
 
@@ -199,8 +201,7 @@ def test_an_output_is_its_own():
 
 
 def test_a_finger_takes_orientations_and_other_materials():
-    skin = {"mu": 0.6, "radius_law": "constant:a=0.006", "stiffness": 1000, "twist_stiffness": 0.036}
-    finger, other = lc.SoftFinger(TABLE, **skin), lc.SoftFinger(TABLE, **skin)
+    finger, other = lc.SoftFinger(TABLE, **SCENE), lc.SoftFinger(TABLE, **SCENE)
     touch = {"point": (0, 0, 0), "normal": (0, 0, 1), "depth": 0.002}
     for i in range(200):
         turn = 0.005 * i
@@ -213,8 +214,8 @@ def test_a_finger_takes_orientations_and_other_materials():
     assert np.array_equal(out.whole_force, [0, 0, 2]) and np.array_equal(out.moment_vector, [0, 0, out.moment])
     before = finger.output.moment
     with pytest.raises(ValueError, match="mu_dynamic = 0.4"):
-        finger.change(**(skin | {"mu": 0.3, "mu_dynamic": 0.4}))
-    finger.change(**(skin | {"mu": 0.3}))
+        finger.change(**(SCENE | {"mu": 0.3, "mu_dynamic": 0.4}))
+    finger.change(**(SCENE | {"mu": 0.3}))
     assert finger.output.moment == before and finger.margin() == 0 and finger.load_to_hold() == pytest.approx(4,
                                                                                                               rel=1e-6)
     other.copy_state(pickle.loads(pickle.dumps(finger)))

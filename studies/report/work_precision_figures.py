@@ -314,8 +314,8 @@ def work_precision(data):
                 labels.dot(*point, "" if word else name(row), colour)
     labels.place()
     footer(figure, 0.012, 8, "Ringed: what to take, and for what. Filled: this library. Hollow: others. Dashes above "
-           "dots: one of 64 tables, visited at random.\nError against 50-digit values of eq. (17), between them against "
-           f"evaluate in 80 bits. Measured on {data['work_precision_step'][0]['machine']}.")
+           "dots: one of 64 tables, visited at random.\nError against 50-digit values of eq. (17), between them "
+           f"against evaluate in 80 bits. Measured on {data['work_precision_step'][0]['machine']}.")
     return figure
 
 
@@ -340,8 +340,8 @@ def all_work_precision(data):
                   ncols=4,
                   bbox_to_anchor=(0.5, 0.025),
                   handlelength=3.5)
-    footer(figure, 0.004, 8.5, "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) "
-           "and of the others (red).\nDashes above dots: one of 64 tables, visited at random. Error against 50-digit "
-           "values, between them against evaluate.\n"
+    footer(figure, 0.004, 8.5, "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours "
+           "(blue) and of the others (red).\nDashes above dots: one of 64 tables, visited at random. Error against "
+           "50-digit values, between them against evaluate.\n"
            f"Measured on {step[0]['machine']}; contacts that are not round on {patches[0]['machine']}.")
     return figure

@@ -89,6 +89,18 @@ class CommandLineTest(unittest.TestCase):
         path.write_bytes(text if isinstance(text, bytes) else text.encode())
         return path
 
+    def csv(self, name, columns, lines):
+        """A file of columns, with lines of numbers."""
+        return self.file(name, columns + "\n" + "".join(",".join(map(repr, line)) + "\n" for line in lines))
+
+    def trace(self, samples, name="trace.csv"):
+        return self.csv(name, "time,x,y,z,twist", samples)
+
+    def succeed(self, *arguments, **options):
+        done = run(*arguments, **options)
+        self.assertEqual(done.returncode, 0, f"{arguments}: {done.stderr}")
+        return done
+
     def assert_fails(self, status, told, *arguments, **options):
         """Expects exit `status`, and one line on standard error with all texts of `told`."""
         done = run(*arguments, **options)

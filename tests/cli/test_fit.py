@@ -17,15 +17,12 @@ class Fit(CommandLineTest):
         generator = random.Random(1997)
         points = rows("p-curves", "--law", law, "--radius-law", f"constant:a={radius}", "--mu", mu, "--loads", "1,2,5",
                       "--points", "15")
-        lines = ["load,force,moment"]
-        for row in points:
-            force, moment = (row[name] * (1 + noise * generator.gauss(0, 1)) for name in ("force", "moment"))
-            lines.append(f"{row['load']!r},{force!r},{moment!r}")
-        return self.file("slips.csv", "\n".join(lines) + "\n")
+        noisy = lambda value: value * (1 + noise * generator.gauss(0, 1))
+        return self.csv("slips.csv", "load,force,moment",
+                        [(row["load"], noisy(row["force"]), noisy(row["moment"])) for row in points])
 
     def fitted(self, *arguments):
-        done = run("fit", *arguments)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.succeed("fit", *arguments)
         self.assertEqual(done.stdout.splitlines()[0], "parameter,value,std_error,unit,note")
         return {row["parameter"]: row["value"] for row in table(done.stdout)}, done.stderr
 
@@ -46,16 +43,16 @@ class Fit(CommandLineTest):
         # Of two degrees of freedom chi squared is exponential: p = exp(-n chi_squared/2).
         self.assert_close(found["n_for_p_0.05"]["value"], -2 * math.log(0.05) / chi_squared, 1e-12)
         for n, p in [(1, 0.67), (8, 0.04), (10, 0.02)]:
-            text = "ratio,ratio_sd,n\n" + "".join(f"{1e-3 * ratio!r},{1e-3 * sd!r},{n}\n" for ratio, sd in table)
-            told, _ = self.fitted("ratio", "--quiet", "--data", self.file("n.csv", text))
+            data = self.csv("n.csv", "ratio,ratio_sd,n", [(1e-3 * ratio, 1e-3 * sd, n) for ratio, sd in table])
+            told, _ = self.fitted("ratio", "--quiet", "--data", data)
             self.assertEqual(list(told), ["ratio", "radius", "chi_squared", "degrees_of_freedom", "p_value"])
             self.assertEqual(round(told["p_value"], 2), p)
         # Through a pipe; two that no one ratio explains.
         text = (DATA / "materials.csv").read_text()
         call = ["fit", "ratio", "--quiet", "--law", "uniform", "--data"]
         self.assertEqual(run(*call, "-", input=text).stdout, run(*call, DATA / "materials.csv").stdout)
-        done = run("fit", "ratio", "--data", self.file("two.csv", "n,ratio_sd,ratio\n1,0.001,0.006\n1,0.001,0.012\n"))
-        self.assertEqual(done.returncode, 0)
+        two = self.csv("two.csv", "n,ratio_sd,ratio", [(1, 0.001, 0.006), (1, 0.001, 0.012)])
+        done = self.succeed("fit", "ratio", "--data", two)
         self.assertRegex(done.stderr, r"warning: the ratios differ by more than their standard errors explain")
 
     def test_rows_that_stick_are_warned_of(self):
@@ -104,9 +101,7 @@ class Fit(CommandLineTest):
     def growing(self, law):
         points = rows("c-curves", "--law", law, "--radius-law", "power:c=0.00435,gamma=0.257", "--mu", "0.7", "--cors",
                       "0.0005,0.001,0.002,0.003,0.005,0.007,0.01,0.02", "--loads", "0.5,1,1.5,2,3,4,5,6,8,10")
-        return self.file(
-            "growing.csv",
-            "load,force,moment\n" +"".join(f"{r['load']!r},{r['force']!r},{r['moment']!r}\n" for r in points))
+        return self.csv("growing.csv", "load,force,moment", [(r["load"], r["force"], r["moment"]) for r in points])
 
     def test_a_log_as_a_sensor_gives_it_needs_no_marks(self):
         maker = runpy.run_path(str(DATA / "fit" / "make_sensor_log.py"))
@@ -158,13 +153,13 @@ class Fit(CommandLineTest):
     def test_what_is_said_to_be_typed_can_be_typed(self):
         """The largest moment of a replay with the options given is that of the data: mu m0 P a(P) under 4 N."""
         data = self.growing("uniform")
-        trace = self.file("twist.csv", "time,x,y,z,twist\n" + "".join(f"{i},0,0,-0.004,{i}\n" for i in range(7)))
+        trace = self.trace((i, 0, 0, -0.004, i) for i in range(7))
         said = self.fitted("law", "--fit-gamma", "--data", data)[1]
         self.assertRegex(said.splitlines()[-1], r"\.mu = 0\.\d+, \.mu_r = 0\.\d+, \.gamma = 0\.2")
         typed = said.splitlines()[-1].split("for replay: ")[1].split(";")[0].split()
         end = rows("replay", "--trace", trace, *typed, "--stiffness", "1000", "--twist-stiffness", "0.04")[-1]
         self.assert_close(end["moment"], -0.7 * 2 / 3 * 4 * 0.00435 * 4 ** 0.257, 5e-6)
-        own = self.file("my law.csv", "radius,pressure\n" + "".join(f"{i / 20},1\n" for i in range(21)))
+        own = self.csv("my law.csv", "radius,pressure", [(i / 20, 1) for i in range(21)])
         # The whole line: each row is a slip, so that it holds up to the scatter.
         renamed = self.renamed(data, {"load": "F'z"}, {})
         quoted = self.file("it's a $file.csv", data.read_text())

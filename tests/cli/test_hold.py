@@ -12,7 +12,7 @@ PATCH = ["--patch", "rectangle:x=0.02,y=0.01", "--mu", "0.5"]
 
 class Hold(CommandLineTest):
     def data(self, columns, lines):
-        return self.file("data.csv", "\n".join([columns, *(",".join(map(repr, line)) for line in lines)]) + "\n")
+        return self.csv("data.csv", columns, lines)
 
     def test_what_two_fingers_hold_level(self):
         """Each bears half the weight, and half of its moment about the grip."""
@@ -30,8 +30,7 @@ class Hold(CommandLineTest):
             "log.csv",
             'Sensor 7\n\n"gain","3"\n"t","Fx","Fy","Fz","Tz"\n0,0.01,0,0.02,0\n1,0.6,-0.8,-5.1,0.002\n2,0.3,0.4,-5,0\n')
         columns = "load=-Fz,force=Fx:Fy,moment=Tz"
-        done = run("hold", *CONTACT, "--data", log, "--columns", columns, "--least-load", "0.1")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.succeed("hold", *CONTACT, "--data", log, "--columns", columns, "--least-load", "0.1")
         self.assertEqual([row["force"] for row in table(done.stdout)], [1.0, 0.5])
         self.assertIn("the header is line 4", done.stderr)
         self.assertIn("1 of 3 rows have a load below 0.1, and are left out", done.stderr)
@@ -51,8 +50,7 @@ class Hold(CommandLineTest):
         text = 't,"Fz, N",s0:F,M\ns,N,N,Nmm\n0,3,1,2\n1,,1,2\n2,4,1,2\n'
         columns = ("--columns", 'load="Fz, N",force="s0:F",moment=M')
         log = self.file("log.csv", text)
-        done = run("hold", *CONTACT, "--data", log, *columns, "--units", "moment=Nmm")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.succeed("hold", *CONTACT, "--data", log, *columns, "--units", "moment=Nmm")
         self.assertEqual(len(done.stdout.splitlines()), 3)
         self.assertIn("1 of 3 rows have a blank in a used column", done.stderr)
         self.assertIn("line 2 has units, and is skipped", done.stderr)

@@ -116,8 +116,7 @@ class Corrections(CommandLineTest):
     def test_angles_at_touch_down_preload_nothing(self):
         for alpha_0 in (0, 0.3):
             samples = [(i / 1000, min(i, 20) * 1e-4, alpha_0 + max(0, i - 50) * 1e-3) for i in range(-2, 100)]
-            path = "".join(f"{time},0,0,{-depth},{alpha_s}\n" for time, depth, alpha_s in samples)
-            found = replayed(self.file("trace.csv", "time,x,y,z,twist\n" + path))
+            found = replayed(self.trace((time, 0, 0, -depth, alpha_s) for time, depth, alpha_s in samples))
             for row, (_, depth, alpha_s) in zip(found, samples, strict=True):
                 # As printed alpha_p = alpha_0 at touch-down and alpha_g = alpha_s - alpha_0.
                 printed = 0.036 * (alpha_0 - (alpha_s - alpha_0)) if depth > 0 else 0
@@ -136,12 +135,11 @@ class Corrections(CommandLineTest):
                 self.assertAlmostEqual(one, other, delta=1e-3)
             # `eval` tells magnitudes, `patch` what moves the patch: the opposite of friction.
             here = rows("eval", "--law", "hertz", "--c", c)[0]
-            twist = self.file("twist.csv", f"vx,vy,omega\n0,{-c},1\n")
+            twist = self.csv("twist.csv", "vx,vy,omega", [(0, -c, 1)])
             patch = rows("patch", "--quiet", "--patch", "ellipse:law=hertz,a=1,b=1", "--twists", twist)[0]
             # A finger moved so settles at it, on its user.
-            path = "".join(f"{i / 1000},0,{-c * radius * 0.02 * i},{-load / 1000},{0.02 * i}\n" for i in range(300))
-            settled = replayed(self.file("trace.csv", "time,x,y,z,twist\n" + path), "--projection",
-                               "closest-point")[-1]
+            path = self.trace((i / 1000, 0, -c * radius * 0.02 * i, -load / 1000, 0.02 * i) for i in range(300))
+            settled = replayed(path, "--projection", "closest-point")[-1]
             limit = 0.6 * load
             for found in ((here["force"], -here["moment"]), (-patch["fy"], -patch["moment"]),
                           (settled["fy"] / limit, settled["moment"] / (limit * radius))):
@@ -171,10 +169,9 @@ class Corrections(CommandLineTest):
             for i in range(100)
         ] + [corners[-1]]
         fingers = [((ball - depth) * math.sin(angle), (ball - depth) * math.cos(angle)) for angle, depth in path]
-        trace_of = "".join(f"{i / 1000},{x!r},0,{z!r},0\n" for i, (x, z) in enumerate(fingers))
-        found = rows("replay", "--trace", self.file("trace.csv",
-                                                    "time,x,y,z,twist\n" + trace_of), *FINGER[:4], "--mu", "50",
-                     "--stiffness", stiffness, "--twist-stiffness", "0.036", "--surface", f"sphere:radius={ball}")
+        trace = self.trace((i / 1000, x, 0, z, 0) for i, (x, z) in enumerate(fingers))
+        found = rows("replay", "--trace", trace, *FINGER[:4], "--mu", "50", "--stiffness", stiffness, *FINGER[8:],
+                     "--surface", f"sphere:radius={ball}")
         self.assertEqual({row["state"] for row in found}, {"stick"})
         printed, tangential = [], []
         for row, (angle, depth) in zip(found, path, strict=True):
@@ -274,8 +271,8 @@ class Corrections(CommandLineTest):
                 "--twist-stiffness", kappa * 1000 * (largest * radius) ** 2, "--curve", "ellipse", "--projection",
                 "radial", "--quiet"
             ]
-            path = "".join(f"{i / 1000},0,{-radius * 0.01 * i},-0.002,{0.01 * i}\n" for i in range(1500))
-            settled = rows("replay", "--trace", self.file("trace.csv", "time,x,y,z,twist\n" + path), *finger)[-1]
+            path = self.trace((i / 1000, 0, -radius * 0.01 * i, -0.002, 0.01 * i) for i in range(1500))
+            settled = rows("replay", "--trace", path, *finger)[-1]
             self.assertAlmostEqual(settled["fy"] / 1.2, x, delta=1e-4)
             self.assertAlmostEqual(-settled["moment"] / (1.2 * radius * largest), y, delta=1e-4)
 

@@ -113,9 +113,7 @@ class Claims(CommandLineTest):
 
         for material in data("materials.csv"):
             mu, mu_r = material["mu"], material["mu_r"]
-            grid = self.file(
-                "grid.csv",
-                "force,moment\n" +"".join(f"{force!r},{moment!r}\n" for force in forces for moment in moments))
+            grid = self.csv("grid.csv", "force,moment", [(force, moment) for force in forces for moment in moments])
             loads = [
                 row["hold_load"]
                 for row in rows("hold", "--law", "hertz", "--radius-law",

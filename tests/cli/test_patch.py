@@ -13,7 +13,7 @@ from command_line import DATA, EXECUTABLE, FINGER, CommandLineTest, header, rows
 
 class PatchCase(CommandLineTest):
     def twists(self, *twists):
-        return self.file("twists.csv", "vx,vy,omega\n" + "".join(f"{x!r},{y!r},{w!r}\n" for x, y, w in twists))
+        return self.csv("twists.csv", "vx,vy,omega", twists)
 
     def wrenches(self, patch, *twists):
         return rows("patch", "--quiet", "--patch", patch, "--twists", self.twists(*twists))
@@ -169,9 +169,7 @@ class Patch(PatchCase):
 
 class Slip(PatchCase):
     def slips(self, contact, columns, wrenches):
-        data = self.file("wrenches.csv",
-                         columns + "\n" +"".join(",".join(map(repr, wrench)) + "\n" for wrench in wrenches))
-        return rows("patch", *contact, "--wrenches", data)
+        return rows("patch", *contact, "--wrenches", self.csv("wrenches.csv", columns, wrenches))
 
     def of(self, patch, *wrenches, mu=0.5):
         return self.slips(("--patch", patch, "--mu", mu), "fx,fy,moment", wrenches)
@@ -214,20 +212,16 @@ class FitFriction(PatchCase):
     def pushes(self, moved, mu=0.4, load=10.0):
         """Pushes of a two-point patch away from its origin, whose wrench is exact."""
         points = [(0.1, 0.2, 1.0), (0.4, 0.3, 3.0)]
-        lines = ["dx,dy,dtheta,force_x,force_y,moment"]
-        for twist in moved:
-            fx, fy, moment, _ = by_points(points, twist)
-            lines.append(",".join(repr(value) for value in (*twist, *(mu * load * one for one in (fx, fy, moment)))))
-        patch = self.file("two.csv", "x,y,load\n" + "".join(f"{x},{y},{w}\n" for x, y, w in points))
-        return f"points:{patch}", self.file("pushes.csv", "\n".join(lines) + "\n")
+        made = [(*twist, *(mu * load * one for one in by_points(points, twist)[:3])) for twist in moved]
+        patch = self.csv("two.csv", "x,y,load", points)
+        return f"points:{patch}", self.csv("pushes.csv", "dx,dy,dtheta,force_x,force_y,moment", made)
 
     MOVED = [(0.01, 0.0, 0.1), (0.0, 0.01, -0.05), (0.001, 0.002, 0.3), (0.02, -0.01, 0.0), (0.0, 0.0, 0.2)]
 
     def changed(self, data, change, name="changed"):
         """The pushes with each row changed: a dict of columns."""
         found = [change(i, row) for i, row in enumerate(table(data.read_text()))]
-        lines = [found[0], *(map(repr, row.values()) for row in found)]
-        return self.file(f"{name}.csv", "\n".join(map(",".join, lines)) + "\n")
+        return self.csv(f"{name}.csv", ",".join(found[0]), [row.values() for row in found])
 
     @staticmethod
     def reacting(row):

@@ -66,8 +66,7 @@ class Pivot(CommandLineTest):
         call = ["pivot", "--case", "coupled", "--material", "rayon", "--duration", "0.1"]
         for grip in [["--release", "from=0.9,to=0,over=1"], ["--operator", "target=30deg,load=0.9"],
                      ["--grip", self.file("grip.csv", "time,load\n0,0.9\n1,2\n")]]:
-            done = run(*call, *grip)
-            self.assertEqual(done.returncode, 0)
+            done = self.succeed(*call, *grip)
             self.assertRegex(
                 done.stderr,
                 r"\Alimitcurve: warning: the grip starts at 0.9 N per finger, which does not hold the block; it needs "
@@ -118,8 +117,7 @@ class Pivot(CommandLineTest):
 
     def test_a_radius_law_gives_the_moments_limit(self):
         # m0 a = mu_r/mu, and measured moments, Gamma = mu_r P: the same finger in other words, stiffnesses too.
-        moments = self.file("moments.csv",
-                            "load,moment\n" + "".join(f"{load},{0.01011 * load!r}\n" for load in (0.1, 0.5, 2)))
+        moments = self.csv("moments.csv", "load,moment", [(load, 0.01011 * load) for load in (0.1, 0.5, 2)])
         ends = [
             rows("pivot", "--case", "exact", *more, "--release", "from=0.45,to=0.3,over=2", "--duration", "2")[-1]
             for more in ([], ["--radius-law", f"constant:a={0.01011 / 1.67 / (3 * math.pi / 16)!r}"],

@@ -18,9 +18,8 @@ class Replays(CommandLineTest):
                     *options, remark=remark)
 
     def test_the_exact_curve_of_a_measured_profile_has_the_error_of_its_samples(self):
-        profile = self.file(
-            "profile.csv",
-            "radius,pressure\n" +"".join(f"{i / 20},{math.sqrt(1 - (i / 20) ** 2)}\n" for i in range(21)))
+        rim = [(i / 20, math.sqrt(1 - (i / 20) ** 2)) for i in range(21)]
+        profile = self.csv("profile.csv", "radius,pressure", rim)
         law = f"samples:{profile}"
         expected = rows("table", "--law", law, "--tolerance", 1e-9, "-o",
                         self.directory / "table.csv")[0]["profile_error"]
@@ -44,11 +43,11 @@ class Replays(CommandLineTest):
         self.assertAlmostEqual(slower[-1]["moment"], -0.003, delta=1e-12)
 
     def test_an_orientation_in_place_of_the_twist(self):
-        samples = [(i / 1000, 1e-5 * i, -0.001, 0.02 * i) for i in range(700)]  # more than two turns
-        plain = "time,x,y,z,twist\n" + "".join(f"{t},{x!r},0,{z},{twist!r}\n" for t, x, z, twist in samples)
-        turned = "time,x,y,z,qw,qx,qy,qz\n" + "".join(
-            f"{t},{x!r},0,{z},{math.cos(twist / 2)!r},0,0,{math.sin(twist / 2)!r}\n" for t, x, z, twist in samples)
-        for one, other in zip(self.replay(plain), self.replay(turned)):
+        samples = [(i / 1000, 1e-5 * i, 0, -0.001, 0.02 * i) for i in range(700)]  # more than two turns
+        poses = [(*sample[:4], math.cos(sample[4] / 2), 0, 0, math.sin(sample[4] / 2)) for sample in samples]
+        plain, turned = (rows("replay", "--trace", trace, *FINGER) for trace in (
+            self.trace(samples), self.csv("poses.csv", "time,x,y,z,qw,qx,qy,qz", poses)))
+        for one, other in zip(plain, turned, strict=True):
             self.assertEqual(one["state"], other["state"])
             for name in ["px", "angle", "fx", "moment"]:
                 self.assertAlmostEqual(one[name], other[name], delta=1e-11)
@@ -69,9 +68,8 @@ class Replays(CommandLineTest):
 
     def settled(self, mu_r, *options):
         """Force after 100 mm and 20 rad about a centre of rotation at 5 mm, at 1 N, and standard error."""
-        text = "time,x,y,z,twist\n" + "".join(f"{i / 1000},{1e-4 * i!r},0,-0.001,{0.02 * i!r}\n" for i in range(1000))
-        done = run("replay", "--trace", self.file("trace.csv", text), *MEASURED, "--mu-r", mu_r, *options)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        trace = self.trace((i / 1000, 1e-4 * i, 0, -0.001, 0.02 * i) for i in range(1000))
+        done = self.succeed("replay", "--trace", trace, *MEASURED, "--mu-r", mu_r, *options)
         return -float(done.stdout.splitlines()[-1].split(",")[7]), done.stderr
 
     def test_a_small_contact_is_frictionless_under_eq_23_and_a_note_says_so(self):

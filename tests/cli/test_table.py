@@ -36,7 +36,7 @@ class Tables(CommandLineTest):
 
     def test_a_measured_profile_states_its_own_error(self):
         rim = [(i / 20, math.sqrt(1 - (i / 20) ** 2)) for i in range(21)]
-        profile = self.file("profile.csv", "radius,pressure\n" + "".join(f"{r},{p}\n" for r, p in rim))
+        profile = self.csv("profile.csv", "radius,pressure", rim)
         for form in [*FORMS, "h"]:
             path, facts = self.build(f"samples:{profile}", 1e-4, form)
             self.assertGreater(facts["profile_error"], 1e-4)

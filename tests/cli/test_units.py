@@ -13,13 +13,8 @@ LAW, SPRINGS = [*FINGER[:3], "constant:a=0.005", *FINGER[4:6]], FINGER[6:]
 class Units(CommandLineTest):
     def asked(self, *arguments):
         """Warnings of a call that succeeds."""
-        done = run(*arguments)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.succeed(*arguments)
         return [line.removeprefix("limitcurve: warning: ") for line in done.stderr.splitlines() if "warning: " in line]
-
-    def trace(self, *samples, name="trace"):
-        return self.file(name + ".csv",
-                         "time,x,y,z,twist\n" + "".join(",".join(map(repr, sample)) + "\n" for sample in samples))
 
     def test_every_patch_in_millimetres(self):
         twists = self.file("twists.csv", "vx,vy,omega\n0.01,0,0\n")
@@ -29,7 +24,7 @@ class Units(CommandLineTest):
         commands = [["patch", "--twists", twists], ["validate"], ["choose", "--tolerance", "0.1"],
                     ["translate", "--mu", "0.8"], ["hold", "--mu", "0.5", "--force", "0,-3", "--moment", "6e-3"],
                     ["fit", "friction", "--data", pushes],
-                    ["replay", "--trace", self.trace((0, 0, 0, -0.001, 0)), "--mu", "0.5", *SPRINGS]]
+                    ["replay", "--trace", self.trace([(0, 0, 0, -0.001, 0)]), "--mu", "0.5", *SPRINGS]]
         for command in commands:
             for patch, across in (("rectangle:x=20,y=10", 20), ("rectangle:x=0.02,y=0.01", 0)):
                 self.assertEqual(
@@ -47,12 +42,11 @@ class Units(CommandLineTest):
         hold, pad, replay = "hold $LAW", "hold --patch rectangle:x=0.02,y=0.01 --mu 0.5", "replay $LAW $FINGER --trace"
         coupled = "pivot --case coupled --duration 0.01 --operator"
         grip = self.file("grip.csv", "time,load\n0,2000\n1,1990\n")
-        slips = self.file(
-            "slips.csv", "load,force,moment\n" +
-            "".join(f"{0.5 + 0.01 * i},{(1 + 0.02 * i) * (1 - 0.1 * (i % 7))},{1e-3 * (i % 7)}\n" for i in range(20)))
+        slips = self.csv("slips.csv", "load,force,moment", [(0.5 + 0.01 * i, (1 + 0.02 * i) * (1 - 0.1 * (i % 7)),
+                                                             1e-3 * (i % 7)) for i in range(20)])
         loads = self.file("loads.csv", "force,moment,load\n1,0,0.5\n1,0,0.4\n1,0,3\n")
         load = self.file("load.csv", "force,moment,load\n1,0,0.5\n1,0,3\n1,0,5000\n")
-        turned, wraps, deep = (self.trace(*samples, name=name) for name, samples in (
+        turned, wraps, deep = (self.trace(samples, name) for name, samples in (
             ("turned", [(0.1 * i, 0, 0, -0.001, 30.0 * i) for i in range(4)]),
             ("wraps", [(0.1 * i, 0, 0, -0.001, math.remainder(0.5 * i, 2 * math.pi)) for i in range(20)]),
             ("deep", [(0, 0, 0, -2, 0)])))
@@ -91,7 +85,7 @@ class Units(CommandLineTest):
                                  (samples, "1.5,4.5", beyond), (moments, "0.5,3", beyond)):
             common = ["--law", "hertz", "--radius-law", law, "--mu", "0.5"]
             ends = loads.split(",")
-            trace = self.trace(*((i / 1000, 0, 0, -float(load) / 1000, 0) for i, load in enumerate(ends)))
+            trace = self.trace((i / 1000, 0, 0, -float(load) / 1000, 0) for i, load in enumerate(ends))
             for call in (["p-curves", "--loads", loads], ["c-curves", "--loads", loads, "--cors", "0,0.001,inf"],
                          ["translate", "--load", ends[0], "--loads", loads], ["replay", "--trace", trace, *SPRINGS],
                          ["choose", "--tolerance", "0.5", "--scene", "--loads", loads]):
@@ -100,20 +94,19 @@ class Units(CommandLineTest):
                 self.assertIn(told, "".join(said))
         # What is fitted, too.
         for scale in (1, 1e-3):
-            radii = "".join(f"{load},{scale * 4 * load ** 0.3}\n" for load in [1, 2, 4, 8])
-            slips = "".join(f"{load},{0.5 * load * f},{0.5 * load * scale * 5 * m}\n" for load in [1, 2, 4]
-                            for f, m in [(0, 0.589), (1, 0), (0.86, 0.234)])
-            for model, text in (("load", "load,radius\n" + radii), ("ratio", "load,force,moment\n" + slips)):
-                done = run("fit", model, "--data", self.file("measured.csv", text))
+            radii = [(load, scale * 4 * load ** 0.3) for load in [1, 2, 4, 8]]
+            slips = [(load, 0.5 * load * f, 0.5 * load * scale * 5 * m) for load in [1, 2, 4]
+                     for f, m in [(0, 0.589), (1, 0), (0.86, 0.234)]]
+            for model, columns, lines in (("load", "load,radius", radii), ("ratio", "load,force,moment", slips)):
+                done = run("fit", model, "--data", self.csv("measured.csv", columns, lines))
                 self.assertEqual(done.stderr.count("are the data in millimetres"), scale == 1, model)
 
     def test_units_never_touch_strings_and_are_refused_by_name(self):
         self.assert_close(
             rows("hold", *LAW, "--force", "1000", "--moment", "0", "--units", "force=mN")[0]["hold_load"],
             1 / 0.6, 1e-12)
-        push = self.file(
-            "push.csv", "force_x,force_y,moment,dx,dy,dtheta\n" +
-            "".join(f"1,{0.01 * i},0.0001,0.01,{1e-4 * i},0.0001\n" for i in range(4)))
+        push = self.csv("push.csv", "force_x,force_y,moment,dx,dy,dtheta",
+                        [(1, 0.01 * i, 0.0001, 0.01, 1e-4 * i, 0.0001) for i in range(4)])
         fitted = [
             rows("fit", "friction", "--patch", "rectangle:x=0.02,y=0.01", "--data", push, "--quiet", "--load", load,
                  *units)[0]["value"] for load, units in (("2", []), ("2000", ["--units", "force=mN,moment=mNm"]))

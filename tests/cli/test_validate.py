@@ -48,8 +48,7 @@ class Validate(CommandLineTest):
 
 class Points(CommandLineTest):
     def judged(self, contact, columns, points):
-        (row, ) = rows("validate", *contact, "--points",
-                       self.file("points.csv", columns + "\n" +"".join(",".join(map(repr, p)) + "\n" for p in points)))
+        (row, ) = rows("validate", *contact, "--points", self.csv("points.csv", columns, points))
         self.assertEqual((row["model"], row["parameter"]), (str(self.directory / "points.csv"), len(points)))
         return row
 
