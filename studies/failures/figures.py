@@ -35,6 +35,7 @@ def error(title, **labels):
     }
 
 
+RATE = {"xlabel": "rate [Hz]", "xscale": "log", "yscale": "log", "xlim": (100, 1e4)}
 # Of each figure what is set of the axes of its panels.
 FIGURES = {
     "quadrature_rim": {
@@ -73,18 +74,12 @@ FIGURES = {
         "force": {
             "title": "Largest friction / limit, scrubbing up to 0.25 m/s",
             "ylim": (0.5, 1e3),
-            "xlabel": "rate [Hz]",
-            "xscale": "log",
-            "yscale": "log",
-            "xlim": (100, 1e4)
+            **RATE
         },
         "error": {
             "title": "Our error of the friction while stirring / limit",
             "ylim": (1e-3, 1),
-            "xlabel": "rate [Hz]",
-            "xscale": "log",
-            "yscale": "log",
-            "xlim": (100, 1e4)
+            **RATE
         }
     },
 }
