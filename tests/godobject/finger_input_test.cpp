@@ -77,13 +77,13 @@ TEST(SoftFinger, NamesTheReasonOfAFault) {
     on_contact(on_plane(none, 0.0, 0.002), 0.0, 1e-3, Fault::not_finite);
     on_contact(on_plane(0.0, 0.0, none), 0.0, 1e-3, Fault::not_finite);
     on_contact(on_plane(0.0, 0.0, 0.002), none, 1e-3, Fault::not_finite);
-    on_contact({Eigen::Vector3d::Zero(), {0.0, none, 1.0}, 0.002}, 0.0, 1e-3, Fault::not_finite);
+    on_contact({Vector3d::Zero(), {0.0, none, 1.0}, 0.002}, 0.0, 1e-3, Fault::not_finite);
     on_contact(on_plane(0.0, 0.0, 0.002), 0.0, none, Fault::time_step);
   }
   on_contact(on_plane(1e300, 0.0, 0.002), 0.0, 1e-3, Fault::too_far);
   on_contact(on_plane(0.0, 0.0, 0.002), -2e6, 1e-3, Fault::too_far);
-  on_contact({Eigen::Vector3d::Zero(), {0.0, 0.0, 1.011}, 0.002}, 0.0, 1e-3, Fault::normal);
-  on_contact({Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.002}, 0.0, 1e-3, Fault::normal);
+  on_contact({Vector3d::Zero(), {0.0, 0.0, 1.011}, 0.002}, 0.0, 1e-3, Fault::normal);
+  on_contact({Vector3d::Zero(), Vector3d::Zero(), 0.002}, 0.0, 1e-3, Fault::normal);
   for (const double back : {-1e-9, -5e-324}) on_contact(on_plane(0.0, 0.0, 0.002), 0.0, back, Fault::time_step);
   on_contact(on_plane(0.6, 0.0, 0.002), 0.0, 1e-3, Fault::speed);
   const AnySurface plane(PlaneSurface{});
@@ -105,13 +105,13 @@ TEST(SoftFinger, NamesTheReasonOfAFault) {
 // A direction within 1e-2 of unit length is the normalised one at every door, within 1e-6 with its own bits; beyond
 // 1e-2 it is a fault.
 TEST(SoftFinger, TakesDirectionsOfNearlyUnitLength) {
-  const Eigen::Vector3d normal = Eigen::Vector3d(0.1, -0.2, 1.0).normalized();
-  const Orientation turn(Eigen::AngleAxisd(0.3, Eigen::Vector3d(0.6, 0.0, 0.8)));
+  const Vector3d normal = Vector3d(0.1, -0.2, 1.0).normalized();
+  const Orientation turn(AngleAxisd(0.3, Vector3d(0.6, 0.0, 0.8)));
   const AnySurface plane(PlaneSurface{});
   for (const double length : {0.98, 0.9901, 0.9995, 1.0 - 9e-7, 1.0 + 9e-7, 1.0001, 1.0099, 1.02}) {
     const bool is_bad = std::fabs(length - 1.0) > 1e-2;
     const bool is_kept = std::fabs(length - 1.0) < 1e-6;
-    const Eigen::Vector3d long_normal = length * normal;
+    const Vector3d long_normal = length * normal;
     const Orientation long_turn(length * turn.w(), length * turn.x(), length * turn.y(), length * turn.z());
     SoftFinger finger = hertz_finger();
     SoftFinger other = hertz_finger();
@@ -148,7 +148,7 @@ TEST(SoftFinger, HoldsOnceThenLetsGoSoftly) {
   const FingerOutput good = finger.output();
   for (const double share : {1.0, 0.5, 0.25, 0.125}) {
     finger.update(on_plane(nan, 0.0, 0.002), 0.0);
-    EXPECT_EQ(finger.output().force, Eigen::Vector3d(good.force * share));
+    EXPECT_EQ(finger.output().force, Vector3d(good.force * share));
     EXPECT_EQ(finger.output().load, good.load * share);
     EXPECT_EQ(finger.output().moment, good.moment * share);
   }
@@ -162,7 +162,7 @@ TEST(SoftFinger, MeasuresAJumpByTheTimeSinceTheLastGoodSample) {
   const double far = 0.0499;  // in 10 ms at 5 m/s
   auto finger = guarded_finger();
   const auto faults = [&](double x, double time_step, bool landed = false) {
-    return finger.update({{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), 0.002, {}, landed}, 0.0, time_step).fault;
+    return finger.update({{x, 0.0, 0.0}, Vector3d::UnitZ(), 0.002, {}, landed}, 0.0, time_step).fault;
   };
   for (const int steps : {1, 4, 20}) {
     for (const double x : {far, 0.0501}) {
@@ -215,7 +215,7 @@ TEST(SoftFinger, StaysWithinTheCurveUnderNormalsOfNearlyUnitLength) {
     for (const double tilt : {0.0, 1e-3, 0.1, 0.24, 0.26, 1.0}) {
       SoftFinger finger(ellipse, with, Projection::radial);
       finger.update({{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 0.002}, 0.0);
-      const Eigen::Vector3d normal = length * Eigen::Vector3d(std::sin(tilt), 0.0, std::cos(tilt));
+      const Vector3d normal = length * Vector3d(std::sin(tilt), 0.0, std::cos(tilt));
       const FingerOutput output = finger.update({{0.01, 0.003, 0.0}, normal, 0.002}, 0.2);
       ASSERT_EQ(output.state, ContactState::slip);
       EXPECT_NEAR(ellipse.gauge(unit_wrench(finger.state(), with.mu, 0.005)), 1.0,

@@ -45,10 +45,10 @@ TEST(SoftFinger, TellsTheLoadThatHoldsInTheUnitOfTheLoad) {
     const double radius = random.logarithmic(0.002, 0.1);
     const AnySurface ball(Ball{radius});
     auto finger = exact_hertz_finger(parameters(random.logarithmic(0.1, 1.5), 0.005, 1000.0, 0.025));
-    Eigen::Vector3d way(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0);
+    Vector3d way(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0);
     for (int i = 0; i < 60; ++i) {
       const double depth = radius * random.uniform(0.05, 0.3);
-      const Eigen::Vector3d at = (Eigen::Vector3d::UnitZ() + 0.01 * i * way).normalized() * (radius - depth);
+      const Vector3d at = (Vector3d::UnitZ() + 0.01 * i * way).normalized() * (radius - depth);
       const FingerOutput output = finger.update(ball, {at, Orientation::Identity(), 0.01 * i}, 1e-3);
       ASSERT_NE(output.state, ContactState::invalid);
       ASSERT_LE(finger.load_to_hold(), output.load * (1.0 + 1e-9)) << scene << ' ' << i;
@@ -100,7 +100,7 @@ TEST(SoftFinger, TurnsAboutACentreWithoutASlidingForceOrAMoment) {
 // (0.3 to 1.5 mm under 1.5 N).
 TEST(SoftFinger, TellsWhereTheCentreOfRotationIs) {
   EXPECT_TRUE(std::isnan(hertz_finger().centre_of_rotation().x()));
-  const Eigen::Vector3d centre{0.02, 0.01, 0.0};
+  const Vector3d centre{0.02, 0.01, 0.0};
   for (const double stiffness : {3000.0, 1000.0, 300.0}) {
     for (const double sense : {1.0, -1.0}) {
       FingerParameters with = parameters();
@@ -108,8 +108,7 @@ TEST(SoftFinger, TellsWhereTheCentreOfRotationIs) {
       auto finger = exact_hertz_finger(with);
       for (int i = 0; i <= 2000; ++i) {
         const double angle = 3e-3 * i * sense;
-        const Eigen::Vector3d at =
-            centre + Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0.004, -0.0045, 0.0);
+        const Vector3d at = centre + AngleAxisd(angle, Vector3d::UnitZ()) * Vector3d(0.004, -0.0045, 0.0);
         finger.update(on_plane(at.x(), at.y(), 1.5 / stiffness), angle, 1e-3);
       }
       ASSERT_EQ(finger.output().state, ContactState::slip);

@@ -10,7 +10,7 @@ TEST(SoftFinger, IsFreeUntilItTouches) {
   auto finger = hertz_finger();
   const FingerOutput output = finger.update(on_plane(0.01, -0.02, -0.001), 0.3);
   EXPECT_EQ(output.state, ContactState::free);
-  EXPECT_EQ(output.proxy, Eigen::Vector3d(0.01, -0.02, 0.001));
+  EXPECT_EQ(output.proxy, Vector3d(0.01, -0.02, 0.001));
   EXPECT_EQ(output.angle, 0.3);
   EXPECT_EQ(output.load, 0.0);
   EXPECT_EQ(output.depth, -0.001);
@@ -23,9 +23,9 @@ TEST(SoftFinger, TouchesDownWithoutFriction) {
   finger.update(on_plane(0.0, 0.0, -0.001), 5.0);
   const FingerOutput output = finger.update(on_plane(0.001, 0.002, 0.003), 7.0);
   EXPECT_EQ(output.state, ContactState::stick);
-  EXPECT_EQ(output.proxy, Eigen::Vector3d(0.001, 0.002, 0.0));
+  EXPECT_EQ(output.proxy, Vector3d(0.001, 0.002, 0.0));
   EXPECT_EQ(output.angle, 7.0);
-  EXPECT_EQ(output.force, Eigen::Vector3d::Zero());
+  EXPECT_EQ(output.force, Vector3d::Zero());
   EXPECT_EQ(output.moment, 0.0);
   EXPECT_DOUBLE_EQ(output.load, 3.0);
 }

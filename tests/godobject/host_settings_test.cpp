@@ -22,7 +22,7 @@ std::vector<DevicePose> path_on(const AnySurface& surface, Random& random) {
 
 void expect_same_bits(const FingerState& one, const FingerState& other) {
   const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-  const auto same = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const auto same = [&](const Vector3d& a, const Vector3d& b) {
     for (Eigen::Index i = 0; i < 3; ++i) ASSERT_EQ(bits(a[i]), bits(b[i]));
   };
   expect_same(one.output, other.output);

@@ -105,17 +105,16 @@ void for_each_choice(std::uint64_t seed, Body&& body) {
   }
 }
 
-inline Eigen::Vector3d random_direction(Random& random) {
-  Eigen::Vector3d way;
+inline Vector3d random_direction(Random& random) {
+  Vector3d way;
   do {
     way = random.vector(1.0);
   } while (!(way.squaredNorm() > 0.01 && way.squaredNorm() < 1.0));
   return way.normalized();
 }
 
-inline Eigen::Quaterniond random_orientation(Random& random) {
-  return Eigen::Quaterniond(
-      Eigen::AngleAxisd(random.uniform(-std::numbers::pi, std::numbers::pi), random_direction(random)));
+inline Quaterniond random_orientation(Random& random) {
+  return Quaterniond(AngleAxisd(random.uniform(-std::numbers::pi, std::numbers::pi), random_direction(random)));
 }
 
 /// A smooth random function of time: an offset and a sine.
@@ -148,7 +147,7 @@ class RandomDevice {
         orientation_(random_orientation(random)),
         axis_(random_direction(random)),
         rest_(random.uniform(0.0, 0.15)) {
-    Eigen::Vector3d from = 0.2 * random_direction(random);
+    Vector3d from = 0.2 * random_direction(random);
     from.z() = std::fabs(from.z());  // above the plane
     const Contact contact = surface.contact(from, {});
     place_ = contact.point;
@@ -158,23 +157,23 @@ class RandomDevice {
 
   [[nodiscard]] DevicePose at(double time) const {
     if (time > rest_ && time < rest_ + 0.02) time = rest_;  // repeated samples
-    const Eigen::Vector3d position = place_ + tangent_ * along_[0].at(time) +
-                                     normal_.cross(tangent_) * along_[1].at(time) - normal_ * depth_.at(time);
-    return {position, Eigen::Quaterniond(Eigen::AngleAxisd(tilt_.at(time), axis_)) * orientation_, twist_.at(time)};
+    const Vector3d position = place_ + tangent_ * along_[0].at(time) + normal_.cross(tangent_) * along_[1].at(time) -
+                              normal_ * depth_.at(time);
+    return {position, Quaterniond(AngleAxisd(tilt_.at(time), axis_)) * orientation_, twist_.at(time)};
   }
-  [[nodiscard]] const Eigen::Vector3d& normal() const { return normal_; }
+  [[nodiscard]] const Vector3d& normal() const { return normal_; }
 
  private:
   std::array<Wave, 2> along_;
   Wave depth_;
   Wave twist_;
   Wave tilt_;
-  Eigen::Quaterniond orientation_;
-  Eigen::Vector3d axis_;
+  Quaterniond orientation_;
+  Vector3d axis_;
   double rest_;
-  Eigen::Vector3d place_;
-  Eigen::Vector3d normal_;
-  Eigen::Vector3d tangent_;
+  Vector3d place_;
+  Vector3d normal_;
+  Vector3d tangent_;
 };
 
 /// How far results may be apart when positions are off by `length` [m] and angles by `angle` [rad], each in every one

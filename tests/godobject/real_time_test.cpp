@@ -61,7 +61,7 @@ TEST(RealTime, AMillionStepsMakeNoSystemCall) {
 
 TEST(RealTime, NothingInTheLoopThrows) {
   static_assert(noexcept(std::declval<SoftFinger&>().update(std::declval<const Contact&>(), 0.0)));
-  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const Vector3d up = Vector3d::UnitZ();
   const Orientation level = Orientation::Identity();
   static_assert(noexcept(std::declval<SoftFinger&>().update_under_load(up, up, 0.0, 0.0)));
   static_assert(noexcept(std::declval<SoftFinger&>().update_under_load(up, up, 0.0, level)));

@@ -12,6 +12,9 @@
 /// What the tests of this folder share: a finger on the plane z = 0, and seeded random numbers.
 namespace limitcurve::godobject::test {
 
+using Eigen::AngleAxisd;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
 using limitcurve::test::apart;
 using limitcurve::test::complaint;
 using limitcurve::test::expect_mention;
@@ -20,14 +23,14 @@ inline constexpr double infinity = limitcurve::test::inf;
 
 /// A finger at (x, y), `depth` beneath the plane z = 0.
 inline Contact on_plane(double x, double y, double depth) {
-  return {{x, y, 0.0}, Eigen::Vector3d::UnitZ(), depth};
+  return {{x, y, 0.0}, Vector3d::UnitZ(), depth};
 }
 
 /// A ball about the origin, because the library's curved surfaces are a leaf.
 struct Ball {
   double radius;
 
-  [[nodiscard]] Contact contact(const Eigen::Vector3d& finger, const ContactMemory& /*memory*/) const noexcept {
+  [[nodiscard]] Contact contact(const Vector3d& finger, const ContactMemory& /*memory*/) const noexcept {
     const double distance = finger.norm();
     return {finger * (radius / distance), finger / distance, radius - distance};
   }
@@ -52,7 +55,7 @@ class Random {
   /// Evenly in the logarithm.
   double logarithmic(double low, double high) { return low * std::pow(high / low, unit_(engine_)); }
   /// Each component within ± size.
-  Eigen::Vector3d vector(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
+  Vector3d vector(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
   std::uint64_t bits() { return engine_(); }
   /// 0, 1, …, count - 1.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
@@ -102,7 +105,7 @@ inline FingerCurve exact_curve(const Law& law) {
   return make_finger_curve(CurveKind::exact, law, 0.0);
 }
 
-inline bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+inline bool same_bits(const Vector3d& a, const Vector3d& b) {
   return std::bit_cast<std::array<double, 3>>(std::array{a.x(), a.y(), a.z()}) == std::array{b.x(), b.y(), b.z()};
 }
 

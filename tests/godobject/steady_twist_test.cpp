@@ -133,9 +133,9 @@ TEST(SteadyTwist, HalvingTheTimeStepHalvesThePathError) {
       finger.update(on_plane(0.01 * t, 0.01 * t * t, depth), 2.0 * t * t * t);
     }
     const FingerOutput output = finger.output();
-    return Eigen::Vector3d(output.proxy.x() / radius, output.proxy.y() / radius, output.angle);
+    return Vector3d(output.proxy.x() / radius, output.proxy.y() / radius, output.angle);
   };
-  const Eigen::Vector3d limit = run(1 << 17);
+  const Vector3d limit = run(1 << 17);
   double last = (run(64) - limit).norm();
   EXPECT_GT(last, 1e-5);
   for (int steps = 128; steps <= 2048; steps *= 2) {

@@ -8,10 +8,6 @@
 namespace limitcurve::godobject::test::curved_surface_test {
 namespace {
 
-using Eigen::AngleAxisd;
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-
 constexpr double pi = std::numbers::pi;
 
 FingerParameters skin() {

@@ -7,8 +7,6 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-using Eigen::Vector3d;
-
 FingerParameters skin() {
   return parameters(0.6, 0.006, 1000.0, 0.036);
 }

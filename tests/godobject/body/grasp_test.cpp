@@ -8,9 +8,6 @@
 namespace limitcurve::godobject::test::grasp_test {
 namespace {
 
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-
 constexpr double pi = std::numbers::pi;
 
 Grasp make_grasp(const BodyParameters& body, const Vector3d& edges, const FingerParameters& with,
@@ -77,7 +74,7 @@ TEST(Grasp, LockedAxesLeaveTheFreeBlockOfTheInertia) {
   body.gravity.setZero();
   body.free = {true, true, false, false, false, true};
   BodyState begin;
-  begin.orientation = Eigen::AngleAxisd(0.8, Vector3d(1.0, 1.0, 0.0).normalized());
+  begin.orientation = AngleAxisd(0.8, Vector3d(1.0, 1.0, 0.0).normalized());
   const Eigen::Matrix3d axes = begin.orientation.toRotationMatrix();
   const double inertia = (axes * body.inertia.asDiagonal() * axes.transpose())(2, 2);
   ASSERT_NEAR(1e-5 / inertia, 0.0798, 5e-5);

@@ -9,16 +9,13 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-
 TEST(RigidBody, TwistIsUnwrappedOverManyTurns) {
   // A device that turns by 40 turns about the normal of a plane, given as an orientation.
   const AnySurface plane(PlaneSurface{});
   SoftFinger finger = hertz_finger();
   for (int i = 0; i <= 40 * 628; ++i) {
     const double angle = 0.01 * i;
-    Quaterniond orientation(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
+    Quaterniond orientation(AngleAxisd(angle, Vector3d::UnitZ()));
     if (i % 3 == 1) orientation.coeffs() *= -1.0;  // the same orientation
     finger.update(plane, {{0.0, 0.0, -0.002}, orientation});
     ASSERT_NEAR(finger.state().sample.angle, angle, 1e-9);
@@ -103,7 +100,7 @@ TEST(RigidBody, SpinsByTurnsInAStep) {
   Grasp grasp(body, spinning, AnySurface(PlaneSurface{}), {});
   for (int i = 1; i <= 5; ++i) {
     grasp.step({}, 0.05);
-    const Quaterniond expected(Eigen::AngleAxisd(15.0 * i, Vector3d::UnitZ()));
+    const Quaterniond expected(AngleAxisd(15.0 * i, Vector3d::UnitZ()));
     // The angle of a part is right to third order, which is 0.01 here.
     ASSERT_LT(Quaterniond(grasp.body().orientation).angularDistance(expected), 0.09 * i);
     ASSERT_LT((grasp.body().angular_velocity - spinning.angular_velocity).norm(), 1e-9);

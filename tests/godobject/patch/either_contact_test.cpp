@@ -9,7 +9,7 @@ namespace {
 // Between two walls 20 mm apart, the finger 1 mm deep in each: a sample that landed anew is what it is after a sample
 // in between.
 TEST(SoftFinger, TouchesDownWhereItLandsAnew) {
-  const Eigen::Vector3d n = Eigen::Vector3d::UnitX();
+  const Vector3d n = Vector3d::UnitX();
   const Patch patch = Patch::ellipse(hertz(), 0.01, 0.004);
   for (const double damping : {0.0, 2.0}) {
     FingerParameters with = parameters();
@@ -19,7 +19,7 @@ TEST(SoftFinger, TouchesDownWhereItLandsAnew) {
       SoftFinger leaves = start;
       for (SoftFinger* finger : {&lands, &leaves}) {
         finger->update({-0.01 * n, n, 0.001}, 3.0, 1e-3);
-        finger->update({Eigen::Vector3d(-0.01, 0.001, 0.0), n, 0.001}, -3.0, 1e-3);
+        finger->update({Vector3d(-0.01, 0.001, 0.0), n, 0.001}, -3.0, 1e-3);
       }
       leaves.update({-0.01 * n, n, -0.01}, -3.0, 1e-3);
       const Contact other{0.01 * n, -n, 0.001, {}, true};
@@ -30,7 +30,7 @@ TEST(SoftFinger, TouchesDownWhereItLandsAnew) {
       EXPECT_EQ(output.load, expected.load);
       EXPECT_EQ(output.angle, expected.angle);
       EXPECT_EQ(output.moment, 0.0);
-      EXPECT_EQ(output.force, Eigen::Vector3d::Zero());
+      EXPECT_EQ(output.force, Vector3d::Zero());
       EXPECT_TRUE(same_bits(output.proxy, expected.proxy));
       EXPECT_EQ(output.state, ContactState::stick);
     }
@@ -46,7 +46,7 @@ TEST(SoftFinger, WhatWasMovedFromStaysWhatItWas) {
   auto round = hertz_finger();
   SoftFinger patch(Patch::rectangle(0.01, 0.01), round.parameters());
   for (SoftFinger* finger : {&round, &patch}) {
-    const Eigen::Vector3d before = force_of(*finger);
+    const Vector3d before = force_of(*finger);
     { const SoftFinger gone = std::move(*finger); }
     EXPECT_EQ(force_of(*finger), before);  // NOLINT(bugprone-use-after-move)
   }

@@ -7,9 +7,6 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-using Eigen::AngleAxisd;
-using Eigen::Vector3d;
-
 /// The place on a ball of this radius [m] after a way along a great circle; the force there, along and across it.
 struct Ball {
   double radius;

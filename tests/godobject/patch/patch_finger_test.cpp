@@ -4,7 +4,6 @@
 #include "tests/godobject/scene.hpp"
 
 namespace limitcurve::godobject::test::patch_finger_test {
-
 namespace {
 
 Patch tripod() {
@@ -189,16 +188,15 @@ TEST(PatchFinger, FrictionAlongAndAcrossTurnsWithTheFinger) {
   for (const double turned : {0.0, 1.5707963267948966, 0.5}) {
     for (const bool upside_down : {false, true}) {
       SoftFinger finger(Patch::rectangle(0.02, 0.02).orthotropic(2.0, 1.0), parameters);
-      const Eigen::Vector3d normal = upside_down ? Eigen::Vector3d(0, 1, 0) : Eigen::Vector3d(0, 0, 1);
-      const Eigen::Vector3d x =
-          Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * Eigen::Vector3d::UnitX();
-      const Eigen::Vector3d along = x * std::cos(turned) + normal.cross(x) * std::sin(turned);
+      const Vector3d normal = upside_down ? Vector3d(0, 1, 0) : Vector3d(0, 0, 1);
+      const Vector3d x = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), normal) * Vector3d::UnitX();
+      const Vector3d along = x * std::cos(turned) + normal.cross(x) * std::sin(turned);
       FingerOutput output;
       for (int i = 0; i < 50; ++i) output = finger.update({1e-4 * i * along, normal, 1e-3}, turned);
       EXPECT_EQ(output.state, ContactState::slip);
       EXPECT_NEAR(-output.force.dot(along), 0.6, 1e-9) << turned;
       finger.reset();
-      const Eigen::Vector3d across = normal.cross(along);
+      const Vector3d across = normal.cross(along);
       for (int i = 0; i < 50; ++i) output = finger.update({1e-4 * i * across, normal, 1e-3}, turned);
       EXPECT_NEAR(-output.force.dot(across), 0.3, 1e-9) << turned;
     }

@@ -106,12 +106,12 @@ std::vector<StudySample> random_motion(const Scene& scene, Random& random) {
 }
 
 /// The rendered wrench in a motion, in units of the friction limits.
-std::vector<Eigen::Vector3d> felt(const Scene& scene, SoftFinger finger, const std::vector<StudySample>& motion) {
-  std::vector<Eigen::Vector3d> result;
+std::vector<Vector3d> felt(const Scene& scene, SoftFinger finger, const std::vector<StudySample>& motion) {
+  std::vector<Vector3d> result;
   const double m0 = scene.law->moment_ratio();
   for (const StudySample& at : motion) {
     const FingerOutput output =
-        finger.update({{at.x, at.y, 0.0}, Eigen::Vector3d::UnitZ(), at.load / scene.stiffness}, at.twist);
+        finger.update({{at.x, at.y, 0.0}, Vector3d::UnitZ(), at.load / scene.stiffness}, at.twist);
     const double force = scene.mu * at.load;
     const double moment = scene.mu_r ? *scene.mu_r * at.load : m0 * force * scene.radius_law.radius(at.load);
     result.emplace_back(output.force.x() / force, output.force.y() / force, output.moment / moment);

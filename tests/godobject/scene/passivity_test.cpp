@@ -32,9 +32,9 @@ TEST(Passivity, AThousandthLessGivesEnergyWithoutEnd) {
         double after_start = 0.0;
         for (int i = 0; i < 3000; ++i) {
           const double side = i % 2 == 0 ? 1.0 : -1.0;
-          const Eigen::Vector3d way{channel == 0 ? side * 1e-5 : 0.0, 0.0, channel == 1 ? side * 1e-5 : 0.0};
+          const Vector3d way{channel == 0 ? side * 1e-5 : 0.0, 0.0, channel == 1 ? side * 1e-5 : 0.0};
           user.move(AnySurface(PlaneSurface{}),
-                    {way - Eigen::Vector3d(0.0, 0.0, 0.002), {1.0, 0.0, 0.0, 0.0}, channel == 2 ? side * 1e-4 : 0.0});
+                    {way - Vector3d(0.0, 0.0, 0.002), {1.0, 0.0, 0.0, 0.0}, channel == 2 ? side * 1e-4 : 0.0});
           if (i == 99) after_start = user.won().work;
         }
         EXPECT_EQ(user.won().work > after_start, share < 1.0) << channel;
@@ -54,12 +54,12 @@ TEST(Passivity, ExplicitCouplingEndsWhereSaid) {
     FingerParameters with = gains(stiffness, damping, twist_stiffness, twist_damping);
     with.mu = 1e6;
     const auto finger = hertz_finger(with);
-    Grasp grasp(body, BodyState{}, AnySurface(BoxSurface(Eigen::Vector3d::Constant(0.02))), {finger, finger});
+    Grasp grasp(body, BodyState{}, AnySurface(BoxSurface(Vector3d::Constant(0.02))), {finger, finger});
     const std::array devices{DevicePose{{0.0, 0.0, 0.019}}, DevicePose{{0.0, 0.0, -0.019}}};
     grasp.place(BodyState{}, devices);
     BodyState start;
     start.position.x() = 1e-9;
-    start.orientation = Eigen::AngleAxisd(1e-9, Eigen::Vector3d::UnitZ());
+    start.orientation = AngleAxisd(1e-9, Vector3d::UnitZ());
     grasp.place(start, devices);
     for (int i = 0; i < 3000; ++i) step_by(Integrator::symplectic_euler, grasp, devices, sample_time);
     return std::fabs(grasp.body().position.x()) > 1e-8 || std::fabs(grasp.body().orientation.z()) > 1e-8;

@@ -10,9 +10,6 @@ namespace {
 static_assert(noexcept(std::declval<Replay&>().step(0.0, std::declval<std::span<const DevicePose>>(),
                                                     std::declval<const BodyPose&>())));
 
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-
 constexpr double mu = 0.6;
 constexpr double radius = 0.005;
 
@@ -76,7 +73,7 @@ TEST(Replay, HeldForceAndNormalTurnWithTheBody) {
   Replay replay(with);
   moved(replay, 0.0, pose({0.0, 0.0, -0.002}));
   const Vector3d proxy = moved(replay, 0.001, pose({0.0003, 0.0, -0.002})).proxy;
-  const Quaterniond turned(Eigen::AngleAxisd(0.7, Vector3d(1.0, 2.0, 0.5).normalized()));
+  const Quaterniond turned(AngleAxisd(0.7, Vector3d(1.0, 2.0, 0.5).normalized()));
   const SceneContact contact = moved(replay, 0.002, pose({nan, 0.0, 0.0}), {Vector3d::Zero(), turned});
   ASSERT_EQ(contact.state, ContactState::invalid);
   EXPECT_EQ(contact.proxy, proxy);

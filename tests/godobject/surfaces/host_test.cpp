@@ -6,9 +6,6 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-using Eigen::AngleAxisd;
-using Eigen::Vector3d;
-
 TEST(Host, AContactWithAnOrientationIsThePoseOnTheSurface) {
   const AnySurface ball{Ball{0.03}};
   FingerParameters with = parameters();

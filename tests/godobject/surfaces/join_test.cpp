@@ -9,8 +9,6 @@
 namespace limitcurve::godobject::test::join_test {
 namespace {
 
-using Eigen::Vector3d;
-
 Vector3d in_single_precision(const Vector3d& v) {
   return v.cast<float>().cast<double>();
 }

@@ -7,8 +7,6 @@
 namespace limitcurve::godobject::test::surfaces_test {
 namespace {
 
-using Eigen::Vector3d;
-
 template <class Shape>
 Contact first_contact(const Shape& shape, const Vector3d& finger) {
   ContactMemory memory;

@@ -36,9 +36,9 @@ class SlowUser {
     const bool had_contact = before.in_contact;
     const bool has_contact = finger_.state().in_contact;
     if (had_contact && has_contact) {
-      const Eigen::Vector3d way = to.position - last_;
-      const Eigen::Vector3d felt = from.whole_force();
-      const Eigen::Vector3d at_end = with.stiffness * (from.proxy - to.position);
+      const Vector3d way = to.position - last_;
+      const Vector3d felt = from.whole_force();
+      const Vector3d at_end = with.stiffness * (from.proxy - to.position);
       const double turn = finger_.state().sample.angle - before.sample.angle;
       const double moment_at_end = from.moment - with.twist_stiffness * turn;
       won_.work += 0.5 * (felt + at_end).dot(way) + 0.5 * (from.moment + moment_at_end) * turn;
@@ -73,7 +73,7 @@ class SlowUser {
   }
 
   SoftFinger finger_;
-  Eigen::Vector3d last_ = Eigen::Vector3d::Zero();
+  Vector3d last_ = Vector3d::Zero();
   Won won_;
 };
 
@@ -91,15 +91,15 @@ class SampledUser {
   void move(const AnySurface& surface, const DevicePose& to) {
     const FingerOutput held = rendered_.front();
     const bool touches = held.state == ContactState::stick || held.state == ContactState::slip;
-    const Eigen::Vector3d way = to.position - last_.position;
-    Eigen::AngleAxisd turned(to.orientation * last_.orientation.conjugate());
+    const Vector3d way = to.position - last_.position;
+    AngleAxisd turned(to.orientation * last_.orientation.conjugate());
     if (turned.angle() > std::numbers::pi) turned.angle() -= 2.0 * std::numbers::pi;
-    const Eigen::Vector3d turn = turned.axis() * turned.angle();
+    const Vector3d turn = turned.axis() * turned.angle();
     const double twist = to.twist - last_.twist;
     const FingerOutput now = finger_.update(surface, to, time_step_);
     if (started_) {
       if (touches) {
-        const Eigen::Vector3d force = held.whole_force();
+        const Vector3d force = held.whole_force();
         won_.work += force.dot(way) + held.moment * (held.normal.dot(turn) + twist);
         won_.rounding +=
             16.0 * std::numeric_limits<double>::epsilon() *
@@ -135,8 +135,8 @@ class SampledUser {
 /// Range of a device's motion about a point of a surface: largest depth [m], sideways displacement [m] and rotation
 /// [rad].
 struct Reach {
-  Eigen::Vector3d place;
-  Eigen::Vector3d normal;
+  Vector3d place;
+  Vector3d normal;
   double depth;
   double aside;
   double turn;
@@ -145,12 +145,12 @@ struct Reach {
 
 /// A position within reach; `outside` is above the surface.
 inline DevicePose random_pose(const Reach& reach, Random& random, bool outside = false) {
-  const Eigen::Vector3d tangent = reach.normal.unitOrthogonal();
+  const Vector3d tangent = reach.normal.unitOrthogonal();
   const double depth = outside ? -0.001 : random.uniform(0.0, reach.depth);
-  const Eigen::Vector3d aside = tangent * random.uniform(-reach.aside, reach.aside) +
-                                reach.normal.cross(tangent) * random.uniform(-reach.aside, reach.aside);
-  const Eigen::Quaterniond turned(Eigen::AngleAxisd(random.uniform(0.0, reach.turn), random_direction(random)));
-  return {reach.place - reach.normal * depth + (outside ? Eigen::Vector3d::Zero() : aside), turned,
+  const Vector3d aside = tangent * random.uniform(-reach.aside, reach.aside) +
+                         reach.normal.cross(tangent) * random.uniform(-reach.aside, reach.aside);
+  const Quaterniond turned(AngleAxisd(random.uniform(0.0, reach.turn), random_direction(random)));
+  return {reach.place - reach.normal * depth + (outside ? Vector3d::Zero() : aside), turned,
           random.uniform(-reach.twist, reach.twist)};
 }
 

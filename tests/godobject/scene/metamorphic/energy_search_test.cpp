@@ -7,8 +7,6 @@
 namespace limitcurve::godobject::test::energy_search_test {
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr double time_step = 1e-3;
 constexpr std::size_t poses = 8;
 

@@ -9,9 +9,6 @@
 /// projection and set of parameters.
 namespace limitcurve::godobject::test::metamorphic {
 
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-
 inline constexpr int rows = 150;
 inline constexpr double time_step = 1.0 / 1024.0;  // so that times are exact
 inline constexpr double rim = 0.005;               // a contact radius [m], to convert rotations to displacements

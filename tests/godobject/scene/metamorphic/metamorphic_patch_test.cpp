@@ -16,7 +16,7 @@ Patch grooved() {
 }
 
 Quaterniond about(const Vector3d& axis, double angle) {
-  return Quaterniond(Eigen::AngleAxisd(angle, axis));
+  return Quaterniond(AngleAxisd(angle, axis));
 }
 
 /// The patch's x axis by its definition: the tangent part of the device's x axis, turned about the normal by α_p − α_g

@@ -69,7 +69,7 @@ TEST(Metamorphic, ALaterSceneFeelsTheSame) {
 // elsewhere only shifts α.
 TEST(Metamorphic, TheZeroOfTheDevicesAnglesDoesNotMatter) {
   for_each_scene(5, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
-    const Quaterniond yaw(Eigen::AngleAxisd(random.uniform(-3.0, 3.0), Vector3d::UnitZ()));
+    const Quaterniond yaw(AngleAxisd(random.uniform(-3.0, 3.0), Vector3d::UnitZ()));
     const Quaterniond any = random_orientation(random);
     for (const Quaterniond& zero : {yaw, any}) {
       std::vector<Row> other = scene.rows;
@@ -97,7 +97,7 @@ TEST(Metamorphic, ABodyMovedWithItsFingersFeelsLikeOneAtRest) {
     const Vector3d axis = random_direction(random);
     const auto pose = [&](double time) {
       return BodyPose{{waves[0].at(time), waves[1].at(time), waves[2].at(time)},
-                      Quaterniond(Eigen::AngleAxisd(waves[3].at(time), axis))};
+                      Quaterniond(AngleAxisd(waves[3].at(time), axis))};
     };
     std::vector<Row> carried;
     for (const Row& row : scene.rows) carried.push_back(moved(row, pose(row.time)));

@@ -10,13 +10,11 @@
 namespace limitcurve::godobject::test::scene_soak_test {
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr int steps = repetitions(500, 20);
 constexpr double size = 0.03;  // of a body [m]
 
-Eigen::Quaterniond rotation(Random& random, double angle) {
-  return Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-angle, angle), random_direction(random)));
+Quaterniond rotation(Random& random, double angle) {
+  return Quaterniond(AngleAxisd(random.uniform(-angle, angle), random_direction(random)));
 }
 
 RadiusLaw any_radius(Random& random) {
