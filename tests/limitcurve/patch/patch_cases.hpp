@@ -49,6 +49,13 @@ inline double stated(const Patch& patch, const PatchTwist& twist) {
   return patch.about_origin({twist.vx + twist.omega * c.y, twist.vy - twist.omega * c.x, twist.omega}).error;
 }
 
+/// Against brute force: within `bound`, and within the error that the patch states, but for the reference's own.
+inline void expect_exact(const Patch& patch, const PatchTwist& twist, const PatchFriction& exact, double bound,
+                         double own = 0.0) {
+  const double error = difference(patch.evaluate(twist), exact, patch.moment_ratio());
+  EXPECT_LE(error, std::min(bound, stated(patch, twist)) + own) << twist.vx << ' ' << twist.vy << ' ' << twist.omega;
+}
+
 /// What the reference of polygons loses where long double is double.
 inline constexpr double witness_error = accuracy::has_extended ? 0.0 : 1e-13;
 

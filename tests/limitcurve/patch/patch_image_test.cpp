@@ -20,11 +20,8 @@ TEST(PatchImage, IsTheSumOfItsSquaresToItsStatedError) {
   const auto expect = [](const std::vector<double>& pressures, std::size_t columns, double least, double bound) {
     const Patch patch = Patch::image(pressures, columns, 0.0005);
     for (const PatchTwist& twist : twists(patch.radius(), 40, least, 1.0)) {
-      const PatchFriction exact = test::image_by_squares(pressures, columns, 0.0005, twist);
-      const double error = test::difference(patch.evaluate(twist), exact, patch.moment_ratio());
-      EXPECT_LE(error, patch.about_origin(twist).error) << twist.vx << ' ' << twist.vy;
-      EXPECT_LE(patch.about_origin(twist).error, bound);
-      EXPECT_LE(error, 0.1 * bound);
+      EXPECT_LE(stated(patch, twist), bound);
+      expect_exact(patch, twist, image_by_squares(pressures, columns, 0.0005, twist), 0.1 * bound);
     }
   };
   expect(dense, 64, -2.0, 1e-3);
@@ -37,7 +34,7 @@ TEST(PatchImage, IsTheSumOfItsSquaresToItsStatedError) {
 /// sides.
 PatchFriction stretched_rectangle(double x, double y, double mx, double my, PatchTwist twist) {
   twist = {mx * twist.vx, my * twist.vy, twist.omega};
-  PatchFriction friction = test::polygon_by_triangles(rectangle(my * x, mx * y), twist, {0, 0});
+  PatchFriction friction = polygon_by_triangles(rectangle(my * x, mx * y), twist, {0, 0});
   friction.wrench.fx *= mx;
   friction.wrench.fy *= my;
   return friction;
@@ -55,9 +52,8 @@ TEST(PatchImage, OfOnesIsTheRectangleWithTheCorOnEdgesCornersAndMiddlesOfPixels)
         const PatchTwist twist =
             about({0.5 * pixel * (static_cast<double>(i) - columns), 0.5 * pixel * (static_cast<double>(j) - rows)},
                   j % 2 ? 1.0 : -3.0);
-        const PatchFriction exact = stretched_rectangle(columns * pixel, rows * pixel, mx, my, twist);
-        const double error = test::difference(image.evaluate(twist), exact, image.moment_ratio());
-        EXPECT_LE(error, image.about_origin(twist).error) << mx << ' ' << my << ": " << i << ' ' << j;
+        SCOPED_TRACE(testing::Message() << mx << ' ' << my << ": " << i << ' ' << j);
+        expect_exact(image, twist, stretched_rectangle(columns * pixel, rows * pixel, mx, my, twist), inf);
       }
     }
   }
@@ -71,7 +67,7 @@ TEST(PatchImage, UnderAnyRatioOfFrictionKeepsItsStatedError) {
     for (const PatchTwist& twist : twists(0.02, 40, -3.0, 1.0)) {
       const PatchFriction exact = stretched_rectangle(columns * 0.001, 0.005, mx, my, twist);
       const PatchFriction friction = image.about_origin(twist);
-      EXPECT_LE(test::difference(friction, exact, image.moment_ratio()), friction.error) << mx << ' ' << my;
+      EXPECT_LE(difference(friction, exact, image.moment_ratio()), friction.error) << mx << ' ' << my;
       EXPECT_LE(std::hypot(friction.wrench.fx / mx, friction.wrench.fy / my), 1.0 + friction.error / std::min(mx, my));
     }
   }

@@ -11,10 +11,10 @@ TEST(PatchPoints, AreTheExactSum) {
   const Patch patch = Patch::points(loads);
   EXPECT_NEAR(patch.centre().x, 0.0, 1e-17);
   for (const PatchTwist& twist : twists(0.05, 2000)) {
-    const PatchFriction exact = test::points_by_sum(loads, twist, patch.centre());
-    EXPECT_LE(test::difference(patch.evaluate(twist), exact, patch.moment_ratio()), 1e-13);
-    const PatchFriction about_origin = test::points_by_sum(loads, twist, {0, 0});
-    EXPECT_LE(test::difference(patch.about_origin(twist), about_origin, patch.moment_ratio()),
+    const PatchFriction exact = points_by_sum(loads, twist, patch.centre());
+    EXPECT_LE(difference(patch.evaluate(twist), exact, patch.moment_ratio()), 1e-13);
+    const PatchFriction about_origin = points_by_sum(loads, twist, {0, 0});
+    EXPECT_LE(difference(patch.about_origin(twist), about_origin, patch.moment_ratio()),
               patch.about_origin(twist).error);
   }
 }
@@ -199,7 +199,7 @@ TEST(PatchOrthotropic, PointsBesideTheCorKeepTheirStatedError) {
           const PatchTwist twist = about({point.x + near * std::cos(angle), point.y + near * std::sin(angle)}, omega);
           const PatchFriction exact = points_by_sum(loads, twist, {0, 0}, mx, my);
           const PatchFriction friction = points.about_origin(twist);
-          EXPECT_LE(test::difference(friction, exact, points.moment_ratio()), friction.error + witness_error)
+          EXPECT_LE(difference(friction, exact, points.moment_ratio()), friction.error + witness_error)
               << mx << ' ' << my << ' ' << near << ' ' << angle;
           EXPECT_LE(friction.error, 1e-13 * std::max(1.0, mx)) << near;
         }
@@ -221,7 +221,7 @@ TEST(PatchOrthotropic, TwistsOfAnySizeGiveTheSameWrench) {
                                std::ldexp(twist.omega, exponent)};
         const PatchFriction exact = points_by_sum(loads, usual, {0, 0}, mx, my);
         const PatchFriction friction = patch.about_origin(twist);
-        EXPECT_LE(test::difference(friction.wrench, exact.wrench, patch.moment_ratio()), friction.error) << size;
+        EXPECT_LE(difference(friction.wrench, exact.wrench, patch.moment_ratio()), friction.error) << size;
         EXPECT_EQ(friction.power, static_cast<double>(std::ldexp(patch.about_origin(usual).power, -exponent))) << size;
       }
     }

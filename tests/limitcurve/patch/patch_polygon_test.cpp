@@ -7,10 +7,8 @@ namespace {
 void expect_polygon(const Outline& vertices, const std::vector<PatchTwist>& cases) {
   const Patch patch = Patch::polygon(vertices);
   for (const PatchTwist& twist : cases) {
-    const PatchFriction exact = test::polygon_by_triangles(vertices, twist, patch.centre());
-    const double error = test::difference(patch.evaluate(twist), exact, patch.moment_ratio());
-    EXPECT_LE(error, accuracy::patch_points + witness_error) << twist.vx << ' ' << twist.vy << ' ' << twist.omega;
-    EXPECT_LE(error, stated(patch, twist) + witness_error) << twist.vx << ' ' << twist.vy << ' ' << twist.omega;
+    expect_exact(patch, twist, polygon_by_triangles(vertices, twist, patch.centre()), accuracy::patch_points,
+                 witness_error);
   }
 }
 
