@@ -4,46 +4,31 @@
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "tests/complaint.hpp"
+#include "tests/rows.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace limitcurve::fit {
 namespace {
 
-/// The fields of a data file's rows, header and comments left out.
-std::vector<std::vector<std::string>> rows_of(const std::string& name) {
-  std::ifstream file(std::string(LIMITCURVE_DATA) + "/fit/" + name);
-  EXPECT_TRUE(file) << name;
-  std::vector<std::vector<std::string>> rows;
-  bool header = true;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    if (!header) {
-      rows.emplace_back();
-      std::istringstream fields(line);
-      for (std::string field; std::getline(fields, field, ',');) rows.back().push_back(field);
-    }
-    header = false;
-  }
-  return rows;
+std::vector<std::vector<std::string>> rows_of(const std::string& name, std::size_t columns) {
+  return test::rows_of(std::string(LIMITCURVE_DATA) + "/fit/" + name, columns);
 }
 
 std::map<std::string, double> truth() {
   std::map<std::string, double> values;
-  for (const auto& row : rows_of("truth.csv")) values[row.at(0)] = *parse_number(row.at(1));
+  for (const auto& row : rows_of("truth.csv", 3)) values[row.at(0)] = *parse_number(row.at(1));
   return values;
 }
 
 std::vector<Sample> slips(const std::string& name) {
   std::vector<Sample> samples;
-  for (const auto& row : rows_of(name)) {
+  for (const auto& row : rows_of(name, 5)) {
     const auto number = [&](std::size_t column) { return *parse_number(row.at(column)); };
     samples.push_back({number(0), number(1), number(2), number(3), number(4)});
   }
@@ -89,7 +74,7 @@ TEST(SensorLog, ThePressureLawIsFoundAndItsRivalsAreNamed) {
 
 TEST(SensorLog, RadiiGiveTheGrowthOfTheContact) {
   LoadSamples samples;
-  for (const auto& row : rows_of("radii.csv"))
+  for (const auto& row : rows_of("radii.csv", 3))
     samples.samples.push_back({*parse_number(row[0]), *parse_number(row[1]), *parse_number(row[2])});
   const FitReport report = select_load(samples).candidates[0].report;
   EXPECT_NEAR(report.at("gamma").value, truth()["gamma"], 2.5 * report.at("gamma").std_error);

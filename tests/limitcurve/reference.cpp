@@ -1,49 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "reference.hpp"
+#include "tests/limitcurve/shared.hpp"
+#include "tests/rows.hpp"
 
-#include "limitcurve/accuracy.hpp"
-
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <limits>
-#include <sstream>
-#include <stdexcept>
 
 namespace limitcurve::test {
 
 namespace {
 
 std::vector<ReferenceRow> read_rows() {
-  const std::string path = LIMITCURVE_DATA_DIR "/reference/limit_curve.csv";
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path + ": cannot be read");
   std::vector<ReferenceRow> rows;
-  std::string line;
-  bool header_seen = false;
-  for (int number = 1; std::getline(file, line); ++number) {
-    if (line.empty() || line[0] == '#') continue;
-    if (!header_seen) {
-      if (line != "law,c_over_a,force,moment,force_slope")
-        throw std::runtime_error(path + ": unexpected header: " + line);
-      header_seen = true;
-      continue;
-    }
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    if (cells.size() != 5) throw std::runtime_error(path + ":" + std::to_string(number) + ": expected 5 cells");
-    const auto number_in = [&](std::size_t i) {
-      char* end = nullptr;
-      const long double value = std::strtold(cells[i].c_str(), &end);
-      if (cells[i].empty() || *end != '\0')
-        throw std::runtime_error(path + ":" + std::to_string(number) + ": not a number: " + cells[i]);
-      return value;
-    };
-    rows.push_back({cells[0], std::strtod(cells[1].c_str(), nullptr), number_in(2), number_in(3), number_in(4)});
+  for (const std::vector<std::string>& cells : rows_of(LIMITCURVE_DATA_DIR "/reference/limit_curve.csv", 5)) {
+    const auto number = [&](std::size_t i) { return std::strtold(cells[i].c_str(), nullptr); };
+    rows.push_back({cells[0], std::strtod(cells[1].c_str(), nullptr), number(2), number(3), number(4)});
   }
-  if (rows.empty()) throw std::runtime_error(path + ": no rows");
   return rows;
 }
 

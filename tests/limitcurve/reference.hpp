@@ -17,7 +17,7 @@ struct ReferenceRow {
   long double force_slope = 0.0L;
 };
 
-/// All rows. Throws std::runtime_error with the line's number if the file is missing, torn or empty.
+/// All rows.
 const std::vector<ReferenceRow>& reference_rows();
 
 /// The laws of the file, each once.
