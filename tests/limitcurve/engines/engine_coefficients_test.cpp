@@ -5,6 +5,7 @@
 #include "limitcurve/patch/patch.hpp"
 #include "tests/limitcurve/shared.hpp"
 
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -25,25 +26,28 @@ double coefficient(const EngineContact& contact, const std::string& parameter) {
 /// The moment limit that each engine computes from what it was given, by its documentation or source; 0 where it has
 /// none.
 double moment_limit(const EngineContact& contact, double load) {
-  const std::string& engine = contact.engine;
-  const auto number = [&](const char* parameter) { return coefficient(contact, parameter); };
   for (const EngineCoefficient& item : contact.coefficients) {
     if (item.formula == "mu_r") return item.value * load;
   }
-  if (engine == "gazebo") {
-    return 3.0 * std::acos(-1.0) / 16.0 * number("surface/friction/torsional/patch_radius") *
-           number("surface/friction/torsional/coefficient") * load;
-  }
-  if (engine == "physx") return number("PxMaterial.dynamicFriction") * number("PxShape.minTorsionalPatchRadius") * load;
-  if (engine == "isaac")
-    return number("physics:dynamicFriction") * number("physxCollision:minTorsionalPatchRadius") * load;
-  if (engine == "sapien") return number("PhysxMaterial.dynamic_friction") * number("min_patch_radius") * load;
-  if (engine == "bullet") return number("setSpinningFriction") * 1.0 * load;
-  if (engine == "dex-net")
-    return std::acos(-1.0) * std::pow(number("finger_radius"), 2) * number("friction_coef") * load;
-  if (engine == "gz-sim-bullet") return number("surface/friction/torsional/coefficient") * 1.0 * load;
-  if (contact.model == "point") return 0.0;
-  throw std::out_of_range(engine);
+  struct Rule {
+    double constant;
+    std::vector<std::string> factors;
+  };
+  const double pi = std::numbers::pi;
+  static const std::map<std::string, Rule> rules{
+      {"gazebo",
+       {3.0 * pi / 16.0, {"surface/friction/torsional/patch_radius", "surface/friction/torsional/coefficient"}}},
+      {"physx", {1.0, {"PxMaterial.dynamicFriction", "PxShape.minTorsionalPatchRadius"}}},
+      {"isaac", {1.0, {"physics:dynamicFriction", "physxCollision:minTorsionalPatchRadius"}}},
+      {"sapien", {1.0, {"PhysxMaterial.dynamic_friction", "min_patch_radius"}}},
+      {"bullet", {1.0, {"setSpinningFriction"}}},
+      {"dex-net", {pi, {"finger_radius", "finger_radius", "friction_coef"}}},
+      {"gz-sim-bullet", {1.0, {"surface/friction/torsional/coefficient"}}}};
+  const auto rule = rules.find(contact.engine);
+  if (rule == rules.end() && contact.model == "point") return 0.0;
+  double product = rules.at(contact.engine).constant * load;
+  for (const std::string& factor : rule->second.factors) product *= coefficient(contact, factor);
+  return product;
 }
 
 TEST(EngineCoefficients, GiveEveryEngineTheExactLimits) {
@@ -111,7 +115,7 @@ TEST(EngineCoefficients, AreReadByShortNamesAndOtherNamesOfEngines) {
   EXPECT_EQ(mujoco.engine, "mjx");
   EXPECT_EQ(mujoco.parameter, "geom.friction[1]");
   EXPECT_EQ(mujoco.moment_per_load, 0.005);
-  EXPECT_NEAR(mujoco.radius, 0.005 * 16.0 / (3.0 * std::acos(-1.0)), 1e-17);
+  EXPECT_NEAR(mujoco.radius, 0.005 * 16.0 / (3.0 * std::numbers::pi), 1e-17);
   EXPECT_EQ(mujoco.note.find("no fingertip"), std::string::npos);
   // A lever in scenes of grasping hands.
   const CoefficientMeaning maniskill = read_one("maniskill", "min_patch_radius", 0.1, 2.0, uniform());
@@ -119,7 +123,7 @@ TEST(EngineCoefficients, AreReadByShortNamesAndOtherNamesOfEngines) {
   EXPECT_NEAR(maniskill.radius, 0.15, 1e-15);
   expect_mention(maniskill.note, "no fingertip");
   // An area: 37 times less than the contact of this radius bears.
-  EXPECT_NEAR(read_one("dexnet", "finger_radius", 0.005, 0.5, hertz()).moment_per_load, 0.5 * std::acos(-1.0) * 25e-6,
+  EXPECT_NEAR(read_one("dexnet", "finger_radius", 0.005, 0.5, hertz()).moment_per_load, 0.5 * std::numbers::pi * 25e-6,
               1e-19);
   // Rolling and sliding friction set no moment about the normal.
   for (const auto& [engine, parameter] :
@@ -130,11 +134,9 @@ TEST(EngineCoefficients, AreReadByShortNamesAndOtherNamesOfEngines) {
        {std::pair{"mujocco", "torsional"}, std::pair{"mujoco", "torsion"}, std::pair{"dart", "torsional"}}) {
     EXPECT_THROW(read_one(engine, parameter, 0.1, 0.5, hertz()), std::invalid_argument);
   }
-  EXPECT_THROW(read_one("mujoco", "torsional", -1e-3, 0.5, hertz()), std::invalid_argument);
-  EXPECT_THROW(read_one("mujoco", "torsional", nan, 0.5, hertz()), std::invalid_argument);
-  EXPECT_THROW(read_one("mujoco", "torsional", 1e-3, 0.0, hertz()), std::invalid_argument);
-  EXPECT_THROW(read_one("mujoco", "torsional", 1e-3, nan, hertz()),
-               std::invalid_argument);  // a radius needs a friction
+  // A radius needs a friction.
+  for (const auto& [value, mu] : {std::pair{-1e-3, 0.5}, {nan, 0.5}, {1e-3, 0.0}, {1e-3, nan}})
+    EXPECT_THROW(read_one("mujoco", "torsional", value, mu, hertz()), std::invalid_argument);
 }
 
 // A part of a note that is for some values, "[>0] …", is shown for those alone.
@@ -177,7 +179,7 @@ TEST(EngineCoefficients, NumbersOfOneEngineBelongTogether) {
     double radius;  // under uniform pressure: of lever 2/3
     const char* note;
   };
-  const double gazebo = 3.0 * std::acos(-1.0) / 16.0;
+  const double gazebo = 3.0 * std::numbers::pi / 16.0;
   const std::vector<Case> cases{
       // Gazebo multiplies by its own coefficient, 1 by default, and not by the friction of the force.
       {{{"gazebo", "patch_radius", 0.01}}, gazebo * 0.01, gazebo * 0.01 / 0.5 * 1.5, "with coefficient 1, the default"},
@@ -261,7 +263,7 @@ double largest_distance_of_wrenches(const Law& law) {
   const double m0 = law->moment_ratio();
   double worst = 0.0;
   for (int i = 0; i < 500; ++i) {
-    const double s = std::tan(0.5 * std::acos(-1.0) * (i + 0.5) / 500);
+    const double s = std::tan(0.5 * std::numbers::pi * (i + 0.5) / 500);
     const UnitForces<double> exact = law->forces(m0 * s);
     worst =
         std::max(worst, std::hypot(exact.force - s / std::hypot(s, 1.0), exact.moment / m0 - 1.0 / std::hypot(s, 1.0)));

@@ -48,22 +48,22 @@ TEST(Samples, TwoHundredOfAHertzProfileAreHertzWithinTheirStatedError) {
 
 // The contact ends where its pressure does: a sensor's line goes on with rows of zero, or of noise below it.
 TEST(Samples, RowsWithoutPressureAtTheEndAreNoContact) {
-  std::vector<PressureSample> profile = sampled(hertz_pressure, 50, 0.0);
+  const std::vector<PressureSample> profile = sampled(hertz_pressure, 50, 0.0);
   const double end = profile.back().radius;
-  const Law law = samples(profile, "hertz.csv");
   std::vector<PressureSample> jump = profile;
   jump.back().pressure = jump[jump.size() - 2].pressure;
-  const Law cut = samples(jump, "cut.csv");
-  for (const double pressure : {0.0, -1e-3}) {
-    for (const double far : {1.1, 4.0}) {
-      for (auto* const one : {&profile, &jump}) {
-        std::vector<PressureSample> longer = *one;
-        if (one == &jump) longer.push_back({end, 0.0});
+  std::vector<PressureSample> jump_to_zero = jump;
+  jump_to_zero.push_back({end, 0.0});
+  for (const auto& [contact, law] :
+       {std::pair(profile, samples(profile, "hertz.csv")), std::pair(jump_to_zero, samples(jump, "cut.csv"))}) {
+    for (const double pressure : {0.0, -1e-3}) {
+      for (const double far : {1.1, 4.0}) {
+        std::vector<PressureSample> longer = contact;
         longer.insert(longer.end(), {{1.05 * end, pressure}, {far * end, pressure}});
         const Law same = samples(longer, "tail.csv");
         for (const double s : {0.0, 0.5, 1.0, 3.0}) {
-          EXPECT_EQ(same->forces(s).moment, (one == &jump ? cut : law)->forces(s).moment);
-          EXPECT_EQ(same->evaluate(s).error.force, (one == &jump ? cut : law)->evaluate(s).error.force);
+          EXPECT_EQ(same->forces(s).moment, law->forces(s).moment);
+          EXPECT_EQ(same->evaluate(s).error.force, law->evaluate(s).error.force);
         }
       }
     }
@@ -118,10 +118,9 @@ TEST(Samples, NoiseEntersTheStatedError) {
   for (PressureSample& row : rows) row.pressure *= std::max((1.0 - row.radius / 4.2) * (1.0 + row.radius / 4.2), 0.0);
   const Law law = samples(rows, "noisy.csv");
   for (const double s : {0.3, 1.0, 2.0}) {
-    const WrenchEstimate estimate = law->evaluate(s);
-    const WrenchEstimate exact = parabolic()->evaluate(s);
-    EXPECT_NEAR(estimate.wrench.moment, exact.wrench.moment, estimate.error.moment);
-    EXPECT_LT(estimate.error.moment, 2e-2);
+    const auto [wrench, error, slope] = law->evaluate(s);
+    EXPECT_NEAR(wrench.moment, parabolic()->evaluate(s).wrench.moment, error.moment);
+    EXPECT_LT(error.moment, 2e-2);
   }
 }
 
