@@ -48,6 +48,16 @@ std::vector<double> some_parameters(const UnitCurve& curve, synthetic::Random& r
   return parameters;
 }
 
+/// The least distance of a sample from the curve, its limits `force` and `moment`, by a scan.
+double scanned(const UnitCurve& curve, const WeightedSample& sample, double force, double moment) {
+  double least = 1e300;
+  for (int k = 0; k <= 4000; ++k) {
+    const PlanePoint point = curve.at(k / 4000.0).point;
+    least = std::min(least, std::hypot(sample.force - force * point.x, sample.moment - moment * point.y));
+  }
+  return least;
+}
+
 // Well inside the curve the distance has two minima. A search that returns either makes the cost depend on the path.
 TEST(ContactResiduals, OfSamplesInsideAreTheLeastDistanceWhereverTheSearchBegan) {
   for (const Case& item : cases) {
@@ -67,13 +77,8 @@ TEST(ContactResiduals, OfSamplesInsideAreTheLeastDistanceWhereverTheSearchBegan)
         double residual = 0.0;
         ASSERT_TRUE(residuals.evaluate(i, elsewhere, residual, nullptr));
         ASSERT_TRUE(residuals.evaluate(i, parameters, residual, nullptr));
-        double least = 1e300;
-        for (int k = 0; k <= 4000; ++k) {
-          const PlanePoint point = curve->at(k / 4000.0).point;
-          least = std::min(least, std::hypot(samples[i].force - 20.0 * point.x, samples[i].moment - 30.0 * point.y));
-        }
         if (residual < 0.0) {
-          EXPECT_NEAR(-residual, least, 1e-3) << item.name << ' ' << i << ' ' << before;
+          EXPECT_NEAR(-residual, scanned(*curve, samples[i], 20.0, 30.0), 1e-3) << item.name << ' ' << i << before;
         }
       }
     }
@@ -125,14 +130,8 @@ TEST(ContactResiduals, DistanceIsTheLeastOverTheCurve) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       double residual = 0.0;
       ASSERT_TRUE(model.evaluate(i, at, residual, nullptr));
-      double least = 1e300;
-      constexpr int steps = 4000;
-      for (int k = 0; k <= steps; ++k) {
-        const PlanePoint point = curve->at(static_cast<double>(k) / steps).point;
-        const double x = std::exp(at[0]) * samples[i].load_force * point.x;
-        const double y = std::exp(at[1] + at.back() * samples[i].log_load) * samples[i].load_moment * point.y;
-        least = std::fmin(least, std::hypot(samples[i].force - x, samples[i].moment - y));
-      }
+      const double least = scanned(*curve, samples[i], std::exp(at[0]) * samples[i].load_force,
+                                   std::exp(at[1] + at.back() * samples[i].log_load) * samples[i].load_moment);
       // The scan's own error is second order in its step where the distance is not small.
       EXPECT_NEAR(std::fabs(residual), least, 1e-4 * least + 0.05) << item.name << " sample " << i;
       EXPECT_LE(std::fabs(residual), least + 1e-9) << item.name << " sample " << i;

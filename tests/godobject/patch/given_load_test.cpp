@@ -134,26 +134,31 @@ TEST(GivenLoad, AWiderConeCreepsAsIsSaid) {
   }
 }
 
-// The held force gains at most ½ k_l |Δx|² in a sample, as every sampled spring (passivity.hpp), whatever a host's
-// normals do.
-TEST(GivenLoad, NoTiltWinsEnergy) {
+// Whatever contacts a host gives one after the other, the held force gains at most ½ k_l |Δx|² in a sample, as every
+// sampled spring (passivity.hpp). A load that the depth gives is at most k_l d (1 + μ), which friction holds.
+TEST(GivenLoad, NoTiltWinsEnergyNorDoesADepth) {
   Random random(7);
-  for (int run = 0; run < 300; ++run) {
-    SoftFinger finger = hertz_finger(parameters(random.logarithmic(0.01, 100.0)));
-    const double size = random.logarithmic(1e-5, 1e-3);
-    const double tilt = random.logarithmic(1e-3, 3.0);
-    Vector3d point = Vector3d::Zero();
+  for (int run = 0; run < 600; ++run) {
+    const bool by_depth = run % 2 == 0;
+    const double mu = random.logarithmic(0.01, by_depth ? 3.0 : 100.0);
+    SoftFinger finger = hertz_finger(parameters(mu));
+    const double size = random.logarithmic(1e-6, by_depth ? 1e-2 : 1e-3);
+    const double tilt = random.logarithmic(1e-4, 3.0);
+    Vector3d at = Vector3d::Zero();
     FingerOutput held;
     for (int i = 0; i < 300; ++i) {
-      const Vector3d any = random.vector(size);
-      const Vector3d way = any - held.normal * held.normal.dot(any);
+      Vector3d way = random.vector(size);
+      if (!by_depth) way -= held.normal * held.normal.dot(way);
       const double before = finger.spring_energy();
-      point += way;
+      at += way;
       const Vector3d normal = (held.normal + random.vector(tilt)).normalized();
-      const FingerOutput out = finger.update_under_load(point, normal, random.uniform(0.1, 2.0), 0.0);
+      const double depth = random.logarithmic(1e-6, 5e-3);
+      const FingerOutput out = by_depth ? finger.update({at + normal * depth, normal, depth}, 0.0)
+                                        : finger.update_under_load(at, normal, 1000.0 * depth, 0.0);
       const double after = finger.spring_energy();
-      const double won = held.force.dot(way) + after - before;
-      const double allowed = 500.0 * way.squaredNorm() + 1e-12 * std::max(before, after);
+      EXPECT_LE(out.load, 1000.0 * depth * (1.0 + (by_depth ? mu : 0.0)) * (1.0 + 1e-9)) << run;
+      const double won = (by_depth ? held.whole_force() : held.force).dot(way) + after - before;
+      const double allowed = 500.0 * way.squaredNorm() + 1e-12 * std::max(before, after) + (by_depth ? 1e-18 : 0.0);
       EXPECT_TRUE(i == 0 || won <= allowed) << run << ' ' << i << ' ' << won << ' ' << allowed;
       held = out;
     }
