@@ -14,10 +14,7 @@ UsersRun use_with_fast_math(const SoftFinger& finger, const AnySurface& surface,
 }
 
 std::array<double, 2> rub_with_fast_math(const FingerCurve& curve, Projection projection, double force, double moment) {
-  FrictionMemory<double> memory;
-  const FrictionLimits<double> limits{{1.0, 0.005}, {1.0, 0.005}, 25000.0};
-  const FrictionResult<double> result = apply_friction(curve.view(), projection, limits, {force, moment}, memory);
-  return {result.force_fraction, result.moment_fraction};
+  return rub(curve, projection, force, moment);
 }
 
 Rub rub_of_fast_math() {

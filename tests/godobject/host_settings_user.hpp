@@ -28,9 +28,17 @@ static inline UsersRun use(SoftFinger finger, const AnySurface& surface, const s
   return run;
 }
 
+/// Friction by itself: the ratios of force and moment that are kept.
+static inline std::array<double, 2> rub(const FingerCurve& curve, Projection projection, double force, double moment) {
+  FrictionMemory<double> memory;
+  const FrictionLimits<double> limits{{1.0, 0.005}, {1.0, 0.005}, 25000.0};
+  const FrictionResult<double> result = apply_friction(curve.view(), projection, limits, {force, moment}, memory);
+  return {result.force_fraction, result.moment_fraction};
+}
+
+/// What that file gives.
 UsersRun use_with_fast_math(const SoftFinger& finger, const AnySurface& surface, const std::vector<DevicePose>& path,
                             double time_step);
-/// Friction by itself in that file: the ratios of force and moment that are kept.
 std::array<double, 2> rub_with_fast_math(const FingerCurve& curve, Projection projection, double force, double moment);
 
 /// The functions that a file's linker may share with others.

@@ -91,18 +91,7 @@ TEST(PatchPoints, WhatOneBearsInPartSlipsAboutIt) {
     const double mx = i % 3 == 0 ? 0.1 + number(bits) : 1.0;
     const Patch patch = Patch::points(loads).orthotropic(mx, 1.0);
     const PatchLoad& at = loads[i % loads.size()];
-    PatchWrench others{0.0, 0.0, 0.0};
-    double power = 0.0;
-    for (const PatchLoad& one : loads) {
-      const double ux = -mx * (one.y - at.y);
-      const double uy = one.x - at.x;
-      const double speed = std::hypot(ux, uy);
-      if (speed == 0.0) continue;
-      const double fx = one.load * mx * ux / speed;
-      const double fy = one.load * uy / speed;
-      others = {others.fx + fx, others.fy + fy, others.moment + one.x * fy - one.y * fx};
-      power += one.load * speed;
-    }
+    const auto [power, others, unknown] = points_by_sum(loads, about({at.x, at.y}), {0, 0}, mx);
     for (const double part : {0.0, 1e-15, number(bits), 1.0 - 1e-12, 1.0, 1.0 + 1e-6}) {
       const double angle = 6.3 * number(bits);
       const double fx = part * at.load * mx * std::cos(angle);
