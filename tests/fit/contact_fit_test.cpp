@@ -11,9 +11,6 @@
 namespace limitcurve::fit::contact_fit_test {
 namespace {
 
-using synthetic::Curve;
-using synthetic::Random;
-using synthetic::Truth;
 using Kind = ContactModel::Kind;
 
 /// To eight digits.
@@ -39,7 +36,7 @@ Draw draw(Kind kind, Random& random) {
   Draw result{{kind}, {}, {std::exp(random.uniform(-2.0, 1.0)), std::exp(random.uniform(-7.0, -4.5))}, 0.6, 0.0};
   const auto law = [&](const Law& exact) {
     result.moment_ratio = exact->moment_ratio();
-    return synthetic::curve_of(exact);
+    return curve_of(exact);
   };
   switch (kind) {
     case Kind::ellipse:
@@ -70,7 +67,7 @@ TEST(ContactFit, RecoversAHundredTruthsOfEveryModelToEightDigits) {
     Random random(1);
     for (int i = 0; i < 100; ++i) {
       const Draw item = draw(kind, random);
-      const std::vector<Sample> samples = synthetic::clean(item.curve, item.truth, 40, random);
+      const std::vector<Sample> samples = clean(item.curve, item.truth, 40, random);
       const FitReport report = fit_contact(samples, item.model).report;
       EXPECT_TRUE(report.converged) << report.message;
       const std::string what = item.model.name() + " " + std::to_string(item.shape);
@@ -90,7 +87,7 @@ TEST(ContactFit, RecoversTheRadiusUnderEveryFormulaToEightDigits) {
     Random random(11);
     const Law law = parse_law(text);
     const Truth truth{0.7, 0.005};
-    const std::vector<Sample> samples = synthetic::clean(law, truth, 60, random);
+    const std::vector<Sample> samples = clean(law, truth, 60, random);
     const FitReport report = fit_contact(samples, ContactModel::of(law)).report;
     expect_recovered(report.at("mu").value, truth.mu, text);
     expect_recovered(report.at("radius").value, truth.radius, text);
@@ -101,7 +98,7 @@ TEST(ContactFit, RecoversTheGrowthOfTheRadiusWithTheLoad) {
   Random random(2);
   for (int i = 0; i < 20; ++i) {
     const Truth truth{random.uniform(0.3, 1.5), random.uniform(0.002, 0.006), random.uniform(0.0, 1.0 / 3.0)};
-    const std::vector<Sample> samples = synthetic::clean(uniform(), truth, 60, random);
+    const std::vector<Sample> samples = clean(uniform(), truth, 60, random);
     ContactFitOptions options;
     options.fit_gamma = true;
     const FitReport free = fit_contact(samples, ContactModel::of(uniform()), options).report;
@@ -116,7 +113,7 @@ TEST(ContactFit, RecoversTheGrowthOfTheRadiusWithTheLoad) {
 
 TEST(ContactFit, SignsOfForceAndMomentDoNotMatter) {
   Random random(3);
-  std::vector<Sample> samples = synthetic::clean(hertz(), {0.7, 0.004}, 30, random);
+  std::vector<Sample> samples = clean(hertz(), {0.7, 0.004}, 30, random);
   const double before = fit_contact(samples, ContactModel::of(hertz())).report.at("radius").value;
   for (std::size_t i = 0; i < samples.size(); i += 2) samples[i].force = -samples[i].force;
   for (std::size_t i = 0; i < samples.size(); i += 3) samples[i].moment = -samples[i].moment;
@@ -125,7 +122,7 @@ TEST(ContactFit, SignsOfForceAndMomentDoNotMatter) {
 
 TEST(ContactFit, RefusesByNameWhatTheSamplesCannotTell) {
   Random random(4);
-  const std::vector<Sample> good = synthetic::clean(hertz(), {0.7, 0.004}, 30, random);
+  const std::vector<Sample> good = clean(hertz(), {0.7, 0.004}, 30, random);
   const ContactModel law = ContactModel::of(hertz());
   test::expect_mention(refusal({}, law), "at least one");
   test::expect_mention(refusal(std::span(good).first(1), law), "1 sample: mu, mu_r");
@@ -176,7 +173,7 @@ std::vector<Sample> slips_about(double spread, double noise, bool tell, Random& 
     const double load = random.uniform(1.0, 3.0);
     samples.push_back({load, 0.8 * load * forces.force, 0.004 * load * forces.moment});
   }
-  synthetic::disturb(samples, noise, 0.8, mu_r, tell, random);
+  disturb(samples, noise, 0.8, mu_r, tell, random);
   return samples;
 }
 
@@ -193,7 +190,7 @@ TEST(ContactFit, SlipsAboutOneCentreOfRotationAreRefusedAndASpreadIsNot) {
 
 TEST(ContactFit, NamesTheBadSample) {
   Random random(5);
-  const std::vector<Sample> good = synthetic::clean(hertz(), {0.7, 0.004}, 30, random);
+  const std::vector<Sample> good = clean(hertz(), {0.7, 0.004}, 30, random);
   const auto with = [&](auto change) {
     std::vector<Sample> samples = good;
     change(samples[6]);
@@ -240,7 +237,7 @@ TEST(ContactFit, NoiseIsRefusedOrAnsweredInFiniteNumbers) {
 
 TEST(ContactFit, RefusesOptionsOutOfRange) {
   Random random(5);
-  const std::vector<Sample> good = synthetic::clean(hertz(), {0.7, 0.004}, 30, random);
+  const std::vector<Sample> good = clean(hertz(), {0.7, 0.004}, 30, random);
   ContactFitOptions options;
   options.gamma = std::numeric_limits<double>::quiet_NaN();
   test::expect_mention(refusal(good, ContactModel::of(hertz()), options), "gamma = nan is out of range");
@@ -252,7 +249,7 @@ TEST(ContactFit, RefusesOptionsOutOfRange) {
 
 TEST(ContactFit, WarnsOfARadiusLargerThanTheFinger) {
   Random random(6);
-  const std::vector<Sample> samples = synthetic::clean(hertz(), {0.5, 0.0125}, 30, random);
+  const std::vector<Sample> samples = clean(hertz(), {0.5, 0.0125}, 30, random);
   const FitReport report = fit_contact(samples, ContactModel::of(hertz())).report;
   ASSERT_EQ(report.warnings.size(), 1u);
   test::expect_mention(report.warnings[0], "12.5 mm, more than the finger's 8 mm");
@@ -262,7 +259,7 @@ TEST(LawSelection, OfPerfectFitsGivesTheOneWithFewerParametersAndSaysSo) {
   for (const Law& law : {hertz(), parabolic(), uniform(), flat_punch()}) {
     for (const bool tell : {false, true}) {
       Random random(9);
-      std::vector<Sample> samples = synthetic::clean(law, {0.7, 0.004}, 40, random);
+      std::vector<Sample> samples = clean(law, {0.7, 0.004}, 40, random);
       for (Sample& sample : samples) {
         if (tell) sample.sigma_force = 0.01 * sample.load, sample.sigma_moment = 3e-5 * sample.load;
       }
@@ -282,17 +279,15 @@ TEST(LawSelection, OfPerfectFitsGivesTheOneWithFewerParametersAndSaysSo) {
 TEST(ContactFit, SaysWhichLawsTheDataCannotTell) {
   const Truth truth{0.8, 0.005};
   Random random(8);
-  std::vector<Sample> vague = synthetic::clean(hertz(), truth, 60, random);
-  synthetic::disturb(vague, 0.05, truth.mu, truth.mu_r(hertz()), true, random);
+  std::vector<Sample> vague = noisy(hertz(), truth, 60, 0.05, true, random);
   const LawSelection unclear = select_law(vague);
   ASSERT_EQ(unclear.candidates.size(), 8u);
   EXPECT_EQ(unclear.aic_difference[0], 0.0);
   EXPECT_LT(unclear.aic_difference[1], 2.0);
-  EXPECT_TRUE(synthetic::warns(unclear.candidates[0].report, "cannot distinguish"));
+  EXPECT_TRUE(warns(unclear.candidates[0].report, "cannot distinguish"));
 
   // With errors of 0.05 % flat punch and Hertz are worlds apart.
-  std::vector<Sample> sharp = synthetic::clean(flat_punch(), truth, 200, random);
-  synthetic::disturb(sharp, 0.0005, truth.mu, truth.mu_r(flat_punch()), true, random);
+  std::vector<Sample> sharp = noisy(flat_punch(), truth, 200, 0.0005, true, random);
   const LawSelection clear = select_law(sharp);
   for (std::size_t i = 0; i < clear.candidates.size(); ++i) {
     if (clear.candidates[i].model == "hertz") {
@@ -306,7 +301,6 @@ TEST(ContactFit, SaysWhichLawsTheDataCannotTell) {
 
 TEST(ContactFit, BandHoldsTheTruthAndResidualsAreInStandardDeviations) {
   const Truth truth{0.8, 0.005};
-  const double mu_r = truth.mu_r(hertz());
   for (const bool tell : {true, false}) {
     // At each point of the curve the band should hold the truth in 95 of 100 cases.
     int held = 0;
@@ -314,9 +308,8 @@ TEST(ContactFit, BandHoldsTheTruthAndResidualsAreInStandardDeviations) {
     constexpr int seeds = 200;
     constexpr std::size_t place = 45;
     for (int seed = 0; seed < seeds; ++seed) {
-      Random random(static_cast<std::uint64_t>(300 + seed));
-      std::vector<Sample> samples = synthetic::clean(hertz(), truth, 60, random);
-      synthetic::disturb(samples, 0.02, truth.mu, mu_r, tell, random);
+      Random random(300 + seed);
+      std::vector<Sample> samples = noisy(hertz(), truth, 60, 0.02, tell, random);
       const ContactFit fit = fit_contact(samples, ContactModel::of(hertz()));
       ASSERT_EQ(fit.band.size(), 91u);
       const auto& at = fit.band[place];
@@ -339,8 +332,7 @@ TEST(ContactFit, BandHoldsTheTruthAndResidualsAreInStandardDeviations) {
 TEST(ContactFit, ShapeThatNoiseHidesIsReportedUnknown) {
   const Truth truth{0.8, 0.005};
   Random random(9);
-  std::vector<Sample> samples = synthetic::clean(hertz(), truth, 12, random);
-  synthetic::disturb(samples, 0.1, truth.mu, truth.mu_r(hertz()), true, random);
+  std::vector<Sample> samples = noisy(hertz(), truth, 12, 0.1, true, random);
   const FitReport report = fit_contact(samples, {Kind::power}).report;
   EXPECT_TRUE(std::isinf(report.at("n").std_error));
   EXPECT_TRUE(std::isinf(report.at("radius").std_error));

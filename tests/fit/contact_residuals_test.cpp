@@ -24,7 +24,7 @@ const std::vector<Case> cases{
     {"xydas-kao", [] { return make_family(ShapeFamily::xydas_kao(), "k", 2.0); }},
 };
 
-std::vector<WeightedSample> some_samples(synthetic::Random& random) {
+std::vector<WeightedSample> some_samples(Random& random) {
   std::vector<WeightedSample> samples;
   for (int i = 0; i < 40; ++i) {
     const double angle = random.uniform(0.0, 1.5707963);
@@ -39,7 +39,7 @@ std::vector<WeightedSample> some_samples(synthetic::Random& random) {
   return samples;
 }
 
-std::vector<double> some_parameters(const UnitCurve& curve, synthetic::Random& random) {
+std::vector<double> some_parameters(const UnitCurve& curve, Random& random) {
   std::vector<double> parameters{random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05)};
   if (!curve.shape_name().empty()) {
     parameters.push_back(curve.low() + (curve.high() - curve.low()) * random.uniform(0.2, 0.8));
@@ -61,7 +61,7 @@ double scanned(const UnitCurve& curve, const WeightedSample& sample, double forc
 // Well inside the curve the distance has two minima. A search that returns either makes the cost depend on the path.
 TEST(ContactResiduals, OfSamplesInsideAreTheLeastDistanceWhereverTheSearchBegan) {
   for (const Case& item : cases) {
-    synthetic::Random random(12);
+    Random random(12);
     const std::unique_ptr<UnitCurve> curve = item.make();
     std::vector<WeightedSample> samples;
     for (int i = 0; i < 40; ++i)
@@ -87,7 +87,7 @@ TEST(ContactResiduals, OfSamplesInsideAreTheLeastDistanceWhereverTheSearchBegan)
 
 TEST(ContactResiduals, GradientsAgreeWithDifferences) {
   for (const Case& item : cases) {
-    synthetic::Random random(11);
+    Random random(11);
     const std::unique_ptr<UnitCurve> curve = item.make();
     const std::vector<WeightedSample> samples = some_samples(random);
     const ContactLayout layout{!curve->shape_name().empty(), true, 0.0};
@@ -121,7 +121,7 @@ TEST(ContactResiduals, GradientsAgreeWithDifferences) {
 
 TEST(ContactResiduals, DistanceIsTheLeastOverTheCurve) {
   for (const Case& item : cases) {
-    synthetic::Random random(12);
+    Random random(12);
     const std::unique_ptr<UnitCurve> curve = item.make();
     const std::vector<WeightedSample> samples = some_samples(random);
     const ContactLayout layout{!curve->shape_name().empty(), true, 0.0};
@@ -140,7 +140,7 @@ TEST(ContactResiduals, DistanceIsTheLeastOverTheCurve) {
 }
 
 TEST(ChebyshevCurve, FamiliesFollowTheirLaws) {
-  synthetic::Random random(13);
+  Random random(13);
   for (int trial = 0; trial < 300; ++trial) {
     const bool is_power = trial % 2 == 0;
     const ShapeFamily& family = is_power ? ShapeFamily::power() : ShapeFamily::xydas_kao();

@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace limitcurve::fit::synthetic {
+namespace limitcurve::fit {
 
 /// How honest the estimates of one quantity are, over many noisy copies of the same truth.
 struct Honesty {
@@ -36,7 +36,7 @@ inline std::map<std::string, Honesty> study(const ContactModel& model, const Law
   std::map<std::string, Honesty> result;
   blanks = 0;
   for (int seed = 0; seed < seeds; ++seed) {
-    Random random(static_cast<std::uint64_t>(1000 + seed));
+    Random random(1000 + seed);
     std::vector<Sample> samples = exact;
     disturb(samples, noise, truth.mu, moment_noise * mu_r, tell, random);
     for (std::size_t i = 3; outliers != Outliers::none && i < samples.size(); i += 10) {
@@ -71,4 +71,4 @@ inline std::map<std::string, Honesty> study(const ContactModel& model, const Law
   return result;
 }
 
-}  // namespace limitcurve::fit::synthetic
+}  // namespace limitcurve::fit

@@ -15,14 +15,13 @@ int main(int argc, char** argv) {
     std::fputs("usage: fit_coverage_study [SEEDS >= 1]\n", stderr);
     return 2;
   }
-  using synthetic::Outliers;
   std::puts("model,noise,sigmas,loss,outliers,parameter,relative_std_error,relative_rms_error,bias,coverage,blanks");
   const auto row = [seeds](const char* name, const ContactModel& model, const Law& law, double shape, double noise,
                            bool tell, const Loss& loss = {}, Outliers outliers = Outliers::none,
                            double moment_noise = 1.0) {
     int blanks = 0;
     for (const auto& [parameter, honesty] :
-         synthetic::study(model, law, shape, noise, tell, seeds, blanks, loss, outliers, moment_noise)) {
+         study(model, law, shape, noise, tell, seeds, blanks, loss, outliers, moment_noise)) {
       const char* const which = outliers == Outliers::none     ? "none"
                                 : outliers == Outliers::inside ? "inside"
                                                                : "both sides";

@@ -15,8 +15,7 @@ void expect_honest(double noise, bool tell) {
   // A short build has fewer draws.
   const double wider = std::sqrt(300.0 / seeds);
   int blanks = 0;
-  for (const auto& [name, honesty] :
-       synthetic::study(ContactModel::of(hertz()), hertz(), 0.5, noise, tell, seeds, blanks)) {
+  for (const auto& [name, honesty] : study(ContactModel::of(hertz()), hertz(), 0.5, noise, tell, seeds, blanks)) {
     // 300 draws determine the mean to 0.06 standard errors and a share of 95 % to 1.3 %: three times these.
     EXPECT_LT(std::fabs(honesty.bias), 0.1 + 3 * 0.06 * wider) << name;
     EXPECT_NEAR(honesty.coverage, 0.95, 3 * 0.0126 * wider) << name;
@@ -33,25 +32,25 @@ TEST(Coverage, LimitsAndRadiusWithErrorsThatAreKnownOrFoundFromTheScatter) {
 /// the truth all the same, and so does γ's; of the shape nothing is reported.
 void expect_honest_at_the_end(const ContactModel& model, const Law& law, double gamma, const std::string& at_end) {
   constexpr int seeds = repetitions(100, 50);
-  const synthetic::Truth truth{0.8, 0.005, gamma};
+  const Truth truth{0.8, 0.005, gamma};
   const double mu_r = truth.mu_r(law);
   ContactFitOptions options;
   options.fit_gamma = at_end == "gamma";
-  synthetic::Random loads(5);
-  const std::vector<Sample> exact = synthetic::clean(law, truth, 100, loads);
+  Random loads(5);
+  const std::vector<Sample> exact = clean(law, truth, 100, loads);
   std::map<std::string, int> held;
   int ended = 0;
   for (int seed = 0; seed < seeds; ++seed) {
-    synthetic::Random random(static_cast<std::uint64_t>(1000 + seed));
+    Random random(1000 + seed);
     std::vector<Sample> samples = exact;
-    synthetic::disturb(samples, 0.01, truth.mu, mu_r, true, random);
+    disturb(samples, 0.01, truth.mu, mu_r, true, random);
     const FitReport report = fit_contact(samples, model, options).report;
     EXPECT_TRUE(report.converged) << report.message;
     const Estimate& end = report.at(at_end);
     ended += at_end == "gamma" ? end.value > gamma - 1e-9 : std::isinf(end.std_error);
     for (const auto& [name, value] : {std::pair{"mu", truth.mu}, {"mu_r", mu_r}, {"gamma", gamma}}) {
       if (!options.fit_gamma && name == std::string("gamma")) continue;
-      held[name] += synthetic::holds(report.at(name), value);
+      held[name] += holds(report.at(name), value);
     }
   }
   EXPECT_NEAR(ended, 0.5 * seeds, 0.1 * seeds + 1.5 * std::sqrt(seeds));
@@ -74,7 +73,7 @@ void expect_promise(const ContactModel& model, const Law& law, double shape, dou
   const double bias_unknown = seeds < whole ? 3.0 / std::sqrt(seeds) : 0.0;
   const double coverage_unknown = seeds < whole ? 3.0 * 0.218 / std::sqrt(seeds) : 0.0;
   int blanks = 0;
-  for (const auto& [name, honesty] : synthetic::study(model, law, shape, noise, true, seeds, blanks)) {
+  for (const auto& [name, honesty] : study(model, law, shape, noise, true, seeds, blanks)) {
     EXPECT_LT(std::fabs(honesty.bias), shape_bias + bias_unknown) << name;
     EXPECT_GE(honesty.coverage, 0.93 - coverage_unknown) << name;
     EXPECT_LE(honesty.coverage, 0.97 + coverage_unknown) << name;

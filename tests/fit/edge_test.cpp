@@ -9,15 +9,13 @@
 namespace limitcurve::fit {
 namespace {
 
-using synthetic::Random;
-
 constexpr double true_mu = 0.7;
 constexpr double true_radius = 0.005;
 
 /// `grips` contacts of 60 rows: a wrench grows along a ray to `reach` times the limit, where it stays. Every second is
 /// a hold, which ends at half of the limit at most. Noise of 1 % of the limit at 3 N, gamma of the radius.
 std::vector<Sample> log_of(int grips, double gamma, bool holds_only, Random& random) {
-  const synthetic::Curve curve = synthetic::curve_of(hertz());
+  const Curve curve = curve_of(hertz());
   const double sigma_force = 0.01 * true_mu * 3.0;
   const double sigma_moment = sigma_force * true_radius * hertz()->moment_ratio();
   std::vector<Sample> samples;
@@ -47,7 +45,7 @@ TEST(Edge, FindsTheLimitsAmongHoldsAndLoadingWithoutMarks) {
   const double mu_r = true_mu * true_radius * hertz()->moment_ratio();
   for (const double gamma : {0.0, 0.25}) {
     for (int seed = 0; seed < 4; ++seed) {
-      Random random(static_cast<std::uint64_t>(60 + seed));
+      Random random(60 + seed);
       const std::vector<Sample> samples = log_of(48, gamma, false, random);
       const ContactFit fit = fit_contact(samples, ContactModel::of(hertz()), edge(gamma > 0.0));
       const Estimate& force = fit.report.at("mu");
@@ -69,7 +67,7 @@ TEST(Edge, HoldsAloneAreWarnedOfOrRefused) {
   // A sharp edge by chance stays unnoticed in few logs.
   int silent = 0;
   for (int seed = 0; seed < 8; ++seed) {
-    Random random(static_cast<std::uint64_t>(80 + seed));
+    Random random(80 + seed);
     const std::vector<Sample> samples = log_of(24, 0.0, true, random);
     try {
       silent += fit_contact(samples, ContactModel::of(hertz()), edge()).report.warnings.empty() ? 1 : 0;

@@ -10,10 +10,6 @@
 namespace limitcurve::fit {
 namespace {
 
-using synthetic::Random;
-using synthetic::Truth;
-using synthetic::warns;
-
 constexpr int all_sets = 200;
 
 struct DataSet {
@@ -24,7 +20,7 @@ struct DataSet {
 
 /// One of eight laws, limits and loads at random; the radius grows as P^gamma.
 DataSet data_set(int seed, double gamma) {
-  Random random(static_cast<std::uint64_t>(41000 + seed));
+  Random random(41000 + seed);
   const std::vector<std::string> laws{"flat-punch",
                                       "uniform",
                                       "hertz",
@@ -37,7 +33,7 @@ DataSet data_set(int seed, double gamma) {
               laws[static_cast<std::size_t>(seed) % laws.size()],
               {}};
   const Law law = parse_law(set.law);
-  set.samples = synthetic::clean(law, set.truth, 120, random);
+  set.samples = clean(law, set.truth, 120, random);
   constexpr double noise = 0.02;
   for (Sample& sample : set.samples) {
     const double mu_r = set.truth.mu * set.truth.radius * law->moment_ratio() * std::pow(sample.load, gamma);
@@ -54,7 +50,7 @@ TEST(LawChoice, StatedRadiusHoldsTheTruthWhicheverLawMadeTheData) {
   for (int seed = 0; seed < sets; ++seed) {
     const DataSet set = data_set(seed, 0.0);
     const FitReport report = select_law(set.samples).candidates.front().report;
-    held += synthetic::holds(report.at("radius"), set.truth.radius, 2.0);
+    held += holds(report.at("radius"), set.truth.radius, 2.0);
     alarms += warns(report, "outlier") || warns(report, "gamma") || warns(report, "scatter evenly");
     test::expect_mention(report.note, "(best of ");
   }
@@ -75,12 +71,11 @@ TEST(LawChoice, ATruthOutsideTheLawsIsWithinTheStatedErrorsOrWarnedOf) {
     int held = 0;
     int warned = 0;
     for (int seed = 0; seed < sets; ++seed) {
-      Random random(static_cast<std::uint64_t>(9000 + seed));
-      std::vector<Sample> samples = synthetic::clean(law, truth, 100, random);
-      synthetic::disturb(samples, 0.02, truth.mu, mu_r, seed % 2 == 0, random);
+      Random random(9000 + seed);
+      std::vector<Sample> samples = noisy(law, truth, 100, 0.02, seed % 2 == 0, random);
       const FitReport report = select_law(samples).candidates.front().report;
       const Estimate& found = report.at("mu_r");
-      held += synthetic::holds(found, mu_r, 2.0);
+      held += holds(found, mu_r, 2.0);
       warned += warns(report, "do not scatter evenly");
       EXPECT_LT(found.std_error, 0.05 * mu_r);
     }
@@ -93,7 +88,7 @@ TEST(LawChoice, OneInTenGrossErrorsIsAlwaysWarnedOf) {
   const int sets = study_cases(all_sets);
   for (int seed = 0; seed < sets; ++seed) {
     DataSet set = data_set(seed, 0.0);
-    Random random(static_cast<std::uint64_t>(seed));
+    Random random(seed);
     const auto first = static_cast<std::size_t>(seed % 10);
     for (std::size_t i = first; i < set.samples.size(); i += 10) {
       // A slip taken while the finger held, an impact, a wrong range of the sensor.

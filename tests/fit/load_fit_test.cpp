@@ -11,9 +11,6 @@
 namespace limitcurve::fit {
 namespace {
 
-using synthetic::Random;
-using synthetic::warns;
-
 /// Values c P^{γ+e} at loads from 0.2 to 20 N, with relative Gaussian noise.
 LoadSamples make(LoadSamples::Quantity quantity, double coefficient, double gamma, double noise, bool tell,
                  std::size_t count, Random& random) {
@@ -78,12 +75,12 @@ TEST(LoadFit, RobustLossOutlivesGrossOutliers) {
   int within = 0;
   int plain_within = 0;
   for (int seed = 0; seed < seeds; ++seed) {
-    Random random(static_cast<std::uint64_t>(500 + seed));
+    Random random(500 + seed);
     LoadSamples samples = make(LoadSamples::Quantity::radius, 2e-3, 0.26, 0.01, false, 60, random);
     for (std::size_t i = 5; i < samples.samples.size(); i += 10) samples.samples[i].value *= 2.5;
     const auto good = [&](const Loss& loss) {
       const FitReport report = fit_load(samples, LoadModel::power, loss).report;
-      return synthetic::holds(report.at("c"), 2e-3, 2.0) && synthetic::holds(report.at("gamma"), 0.26, 2.0);
+      return holds(report.at("c"), 2e-3, 2.0) && holds(report.at("gamma"), 0.26, 2.0);
     };
     within += good(Loss::cauchy());
     plain_within += good(Loss::squared());
@@ -100,9 +97,9 @@ TEST(LoadFit, FewRowsAreCovered) {
     int robust = 0;
     int chosen = 0;
     for (int seed = 0; seed < sets; ++seed) {
-      Random random(static_cast<std::uint64_t>(500 + seed));
+      Random random(500 + seed);
       const LoadSamples samples = make(LoadSamples::Quantity::radius, 4e-3, 0.26, 0.05, true, rows, random);
-      const auto covers = [](const FitReport& report) { return synthetic::holds(report.at("gamma"), 0.26); };
+      const auto covers = [](const FitReport& report) { return holds(report.at("gamma"), 0.26); };
       try {
         robust += covers(fit_load(samples, LoadModel::power, seed % 2 == 0 ? Loss::huber() : Loss::cauchy()).report);
         chosen += covers(select_load(samples).candidates.front().report);
@@ -121,7 +118,7 @@ TEST(LoadFit, ChoosesTheModelThatMadeTheData) {
   const auto share = [&](double gamma, LoadModel truth) {
     int right = 0;
     for (int seed = 0; seed < 100; ++seed) {
-      Random random(static_cast<std::uint64_t>(700 + seed));
+      Random random(700 + seed);
       const LoadSamples samples = make(LoadSamples::Quantity::radius, 2e-3, gamma, 0.01, true, 60, random);
       right += select_load(samples).candidates[0].model == truth;
     }
@@ -134,7 +131,7 @@ TEST(LoadFit, ChoosesTheModelThatMadeTheData) {
   // Half way between the two, with too much noise and too few loads to distinguish them.
   int warned = 0;
   for (int seed = 0; seed < 100; ++seed) {
-    Random random(static_cast<std::uint64_t>(900 + seed));
+    Random random(900 + seed);
     const LoadSelection unclear =
         select_load(make(LoadSamples::Quantity::radius, 2e-3, 1.0 / 6.0, 0.25, true, 6, random));
     warned += unclear.aic_difference[1] < 2.0 ? 1 : 0;
@@ -147,7 +144,7 @@ TEST(LoadFit, WarnsOfGrossOutliersByRowAndOfAGrowthThatWasAssumed) {
   int alarms = 0;
   for (const bool tell : {false, true}) {
     for (int seed = 0; seed < 50; ++seed) {
-      Random random(static_cast<std::uint64_t>(1100 + seed));
+      Random random(1100 + seed);
       LoadSamples samples = make(LoadSamples::Quantity::radius, 2e-3, 0.26, 0.02, tell, 25, random);
       alarms += fit_load(samples, LoadModel::power).report.warnings.empty() ? 0 : 1;
       EXPECT_TRUE(warns(fit_load(samples, LoadModel::linear).report, "gamma = 0 was assumed")) << seed;

@@ -42,8 +42,8 @@ TEST(ModelFit, RatioOnTheTableOfKinoshitaGivesBackItsRatios) {
 }
 
 TEST(ModelFit, EachNameDoesItsFit) {
-  synthetic::Random random(1);
-  const std::vector<Sample> samples = synthetic::clean(uniform(), {0.8, 0.004}, 60, random);
+  Random random(1);
+  const std::vector<Sample> samples = clean(uniform(), {0.8, 0.004}, 60, random);
   FitOptions of_uniform;
   of_uniform.law = uniform();
   EXPECT_EQ(fit(Kind::ellipse, samples).report.estimates[0].name, "force_max");
@@ -98,9 +98,9 @@ class GermanNumbers {
 TEST(ModelFit, NumbersInMessagesDoNotDependOnTheLocale) {
   const GermanNumbers german;
   if (!GermanNumbers::are_set()) GTEST_SKIP() << "no localedef, or no source of de_DE";
-  synthetic::Random random(3);
-  std::vector<Sample> samples = synthetic::clean(hertz(), {0.6, 0.0045, 0.3}, 60, random);
-  synthetic::disturb(samples, 0.01, 0.6, 0.0016, false, random);
+  Random random(3);
+  std::vector<Sample> samples = clean(hertz(), {0.6, 0.0045, 0.3}, 60, random);
+  disturb(samples, 0.01, 0.6, 0.0016, false, random);
   std::string told = in_percent(0.0123) + in_percent(0.5) + in_percent(3.3e-5);
   for (const Kind kind : {Kind::ratio, Kind::law, Kind::ellipse}) {
     const FitReport report = fit(kind, samples).report;

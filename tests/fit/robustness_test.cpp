@@ -11,9 +11,6 @@
 namespace limitcurve::fit {
 namespace {
 
-using synthetic::Random;
-using synthetic::Truth;
-
 /// One row in which a sensor, a cable or a hand went wrong.
 void spoil(Sample& sample, int kind, double factor) {
   if (kind % 3 == 0) sample.force *= factor;
@@ -42,15 +39,14 @@ Within one_gross_outlier(const Setting& setting, const ContactModel& model, int 
   const Truth truth{0.8, 0.005};
   const double mu_r = truth.mu_r(hertz());
   for (int seed = 0; seed < sets; ++seed) {
-    Random random(static_cast<std::uint64_t>(7000 + seed));
-    std::vector<Sample> samples = synthetic::clean(hertz(), truth, setting.rows, random);
-    synthetic::disturb(samples, 0.02, truth.mu, mu_r, setting.with_sigma, random);
+    Random random(7000 + seed);
+    std::vector<Sample> samples = noisy(hertz(), truth, setting.rows, 0.02, setting.with_sigma, random);
     const auto row = static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(setting.rows)));
     spoil(samples[row], seed, seed % 2 == 0 ? 10.0 : 0.1);
     const FitReport report = fit_contact(samples, model, {.loss = setting.loss}).report;
-    within.mu += synthetic::holds(report.at("mu"), truth.mu, 3.0);
-    within.ratio += synthetic::holds(report.at("ratio"), mu_r / truth.mu, 3.0);
-    within.radius += synthetic::holds(report.at("radius"), truth.radius, 3.0);
+    within.mu += holds(report.at("mu"), truth.mu, 3.0);
+    within.ratio += holds(report.at("ratio"), mu_r / truth.mu, 3.0);
+    within.radius += holds(report.at("radius"), truth.radius, 3.0);
   }
   return within;
 }
@@ -79,21 +75,19 @@ TEST(Robustness, OneGrossErrorLeavesEstimatesWithinThreeStandardErrors) {
 TEST(Robustness, GrossErrorsDoNotWidenTheStandardErrors) {
   constexpr int sets = 20;
   const Truth truth{0.7, 0.006};
-  const double mu_r = truth.mu_r(hertz());
   for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
     ContactFitOptions options;
     options.loss = loss;
     double without = 0.0;
     double with = 0.0;
     for (int seed = 0; seed < sets; ++seed) {
-      Random random(static_cast<std::uint64_t>(900 + seed));
-      std::vector<Sample> samples = synthetic::clean(hertz(), truth, 60, random);
-      synthetic::disturb(samples, 0.02, truth.mu, mu_r, false, random);
+      Random random(900 + seed);
+      std::vector<Sample> samples = noisy(hertz(), truth, 60, 0.02, false, random);
       without += fit_contact(samples, ContactModel::of(hertz()), options).report.at("mu").std_error;
       for (std::size_t row = 5; row < 60; row += 10) spoil(samples[row], 2, 6.0);
       const FitReport report = fit_contact(samples, ContactModel::of(hertz()), options).report;
       with += report.at("mu").std_error;
-      EXPECT_FALSE(synthetic::warns(report, "inside the curve"));
+      EXPECT_FALSE(warns(report, "inside the curve"));
     }
     EXPECT_LT(with, 2.0 * without);
   }
@@ -105,8 +99,7 @@ double worst_percent(const ContactModel& model, const Loss& loss, std::size_t ro
   const Truth truth{0.8, 0.005};
   const double mu_r = truth.mu_r(hertz());
   Random random(seed);
-  std::vector<Sample> samples = synthetic::clean(hertz(), truth, rows, random);
-  synthetic::disturb(samples, 0.02, truth.mu, mu_r, with_sigma, random);
+  std::vector<Sample> samples = noisy(hertz(), truth, rows, 0.02, with_sigma, random);
   for (std::size_t i = 0; i < outliers; ++i) spoil(samples[(7 * i + seed) % rows], static_cast<int>(i), factor);
   ContactFitOptions options;
   options.loss = loss;
@@ -154,7 +147,7 @@ TEST(Robustness, DefaultScalesCostFivePercentOfEfficiency) {
   const int sets = study_cases(1000);
   int blanks = 0;
   const auto scatter = [&](const Loss& loss) {
-    return synthetic::study(ContactModel::of(hertz()), hertz(), 0.5, 0.01, true, sets, blanks, loss).at("mu").scatter;
+    return study(ContactModel::of(hertz()), hertz(), 0.5, 0.01, true, sets, blanks, loss).at("mu").scatter;
   };
   const double squared = scatter(Loss::squared());
   // Estimates by two losses agree to a fifth of their error: 100 sets determine the share to 4 %, 1000 to 1.3 %.
@@ -168,7 +161,7 @@ TEST(Robustness, DefaultScalesCostFivePercentOfEfficiency) {
 std::vector<Sample> at_two_loads(int many, int few, bool tell, Random& random) {
   const Truth truth{0.8, 0.005, 0.26};
   const double mu_r = truth.mu_r(hertz());
-  const synthetic::Curve curve = synthetic::curve_of(hertz());
+  const Curve curve = curve_of(hertz());
   std::vector<Sample> samples;
   for (int i = 0; i < many + few; ++i) {
     const double load = i < many ? 1.0 : 3.0;
@@ -176,7 +169,7 @@ std::vector<Sample> at_two_loads(int many, int few, bool tell, Random& random) {
     const UnitWrench wrench = curve((1.0 - spin) / spin);
     std::vector<Sample> one{
         {load, truth.mu * load * wrench.force, truth.mu * truth.radius * std::pow(load, 1.26) * wrench.moment}};
-    synthetic::disturb(one, 0.02, truth.mu, mu_r * std::pow(load, 0.26), tell, random);
+    disturb(one, 0.02, truth.mu, mu_r * std::pow(load, 0.26), tell, random);
     samples.push_back(one[0]);
   }
   return samples;
@@ -190,7 +183,7 @@ TEST(Robustness, AParameterThatFewRowsTellHasTheNoiseOfAllRows) {
       int found = 0;
       int covered = 0;
       for (int seed = 0; seed < sets; ++seed) {
-        Random random(static_cast<std::uint64_t>(100 + seed));
+        Random random(100 + seed);
         ContactFitOptions options;
         options.loss = loss;
         options.fit_gamma = true;
@@ -198,7 +191,7 @@ TEST(Robustness, AParameterThatFewRowsTellHasTheNoiseOfAllRows) {
           const auto samples = at_two_loads(many, few, seed % 2 == 0, random);
           const Estimate gamma = fit_contact(samples, ContactModel::of(hertz()), options).report.at("gamma");
           ++found;
-          covered += synthetic::holds(gamma, 0.26);
+          covered += holds(gamma, 0.26);
         } catch (const std::invalid_argument&) {
           // The row at 3 N hardly twists.
         }
@@ -239,9 +232,9 @@ TEST(Robustness, ALongHoldIsLeftOutAndNamed) {
     for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
       Random random(41);
       const Truth truth{0.8, 0.005};
-      std::vector<Sample> samples = synthetic::clean(hertz(), truth, 60, random);
+      std::vector<Sample> samples = clean(hertz(), truth, 60, random);
       for (int i = 0; i < 300; ++i) samples.push_back({3.0, 0.6 * 1.7, 0.6 * 4.4e-3});
-      synthetic::disturb(samples, 0.01, truth.mu, truth.mu_r(hertz()), tell, random);
+      disturb(samples, 0.01, truth.mu, truth.mu_r(hertz()), tell, random);
       const ContactFit fit = fit_contact(samples, ContactModel::of(hertz()), {.loss = loss});
       const Estimate& mu = fit.report.at("mu");
       EXPECT_NEAR(mu.value, 0.8, 3.5 * mu.std_error);

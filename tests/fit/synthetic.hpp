@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -13,12 +14,13 @@
 #include <string>
 #include <vector>
 
-namespace limitcurve::fit::synthetic {
+namespace limitcurve::fit {
 
 /// Seeded, and the same on every standard library: std::normal_distribution is not.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : generator_(seed) {}
+  template <std::integral Seed>
+  explicit Random(Seed seed) : generator_(static_cast<std::uint64_t>(seed)) {}
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(generator_() >> 11) * 0x1p-53);
   }
@@ -89,4 +91,12 @@ inline void disturb(std::vector<Sample>& samples, double relative, double mu, do
   }
 }
 
-}  // namespace limitcurve::fit::synthetic
+/// Samples of a law with such errors.
+inline std::vector<Sample> noisy(const Law& law, const Truth& truth, std::size_t count, double relative, bool tell,
+                                 Random& random) {
+  std::vector<Sample> samples = clean(law, truth, count, random);
+  disturb(samples, relative, truth.mu, truth.mu_r(law), tell, random);
+  return samples;
+}
+
+}  // namespace limitcurve::fit
