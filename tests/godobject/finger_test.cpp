@@ -48,7 +48,7 @@ TEST(SoftFinger, SlipBeginsOnTheCurve) {
   constexpr double inside = 1.0 - 1e-12;
   constexpr double outside = 1.0 + 2e-12;
   const std::array<LoadSample, 3> samples{{{0.5, 0.002}, {1.0, 0.0026}, {4.0, 0.0034}}};
-  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& name) {
+  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection) {
     for (const RadiusLaw& law :
          {RadiusLaw::constant(0.005), RadiusLaw::power(0.00207, 0.259), RadiusLaw::sampled(samples)}) {
       FingerParameters with = parameters();
@@ -68,7 +68,7 @@ TEST(SoftFinger, SlipBeginsOnTheCurve) {
           const FingerOutput output =
               finger.update(on_plane(r * std::cos(3.0 * angle), r * std::sin(3.0 * angle), 0.002),
                             std::copysign(rho, std::sin(angle)));
-          EXPECT_EQ(output.state, share < 1.0 ? ContactState::stick : ContactState::slip) << name << ' ' << i;
+          EXPECT_EQ(output.state, share < 1.0 ? ContactState::stick : ContactState::slip) << i;
           EXPECT_LE(output.force.x() * std::cos(3.0 * angle), 0.0);
           EXPECT_LE(output.force.y() * std::sin(3.0 * angle), 0.0);
           EXPECT_LE(output.moment * std::sin(angle), 0.0);

@@ -98,38 +98,37 @@ TEST(NoLoad, NoFrictionAndTheCentreOfTheWholeDeflection) {
   for (const auto& [name, plain] : fingers()) {
     FingerParameters with = plain;
     with.damping = 10.0;
-    for_each_curve_and_projection(
-        hertz(), [&, &name = name](const FingerCurve& curve, Projection projection, const std::string& kind) {
-          SCOPED_TRACE(name + ", " + kind);
-          SoftFinger finger(curve, with, projection);
-          finger.update(on_plane(0.0, 0.0, 2e-3), 0.0, 1e-3);
-          for (int i = 1; i <= 20; ++i) finger.update(on_plane(2e-5 * i, 0.0, 2e-3), 4e-3 * i, 1e-3);
-          const FingerState before = finger.state();
-          ASSERT_GT(before.output.force.norm() + std::fabs(before.output.moment), 0.0);
-          const FingerOutput output = finger.update(on_plane(4e-4, 0.0, 1e-3), 0.08, 1e-3);
-          EXPECT_EQ(finger.state().limit_load, 0.0);
-          EXPECT_LE(output.force.norm(), 1e-30);
-          EXPECT_LE(std::fabs(output.moment), 1e-30);
-          EXPECT_EQ(to_string(output.state), "slip");
-          // Springs and dampers of the step: trial wrench over their stiffness.
-          const double stiffness = with.stiffness + with.damping / 1e-3;
-          const double slide = finger.state().trial_force / stiffness;
-          const double turn = finger.state().trial_moment / with.twist_stiffness;
-          EXPECT_NEAR(output.cor / (slide / turn), 1.0, 1e-9);
-        });
+    for_each_curve_and_projection(hertz(), [&, &name = name](const FingerCurve& curve, Projection projection) {
+      SCOPED_TRACE(name);
+      SoftFinger finger(curve, with, projection);
+      finger.update(on_plane(0.0, 0.0, 2e-3), 0.0, 1e-3);
+      for (int i = 1; i <= 20; ++i) finger.update(on_plane(2e-5 * i, 0.0, 2e-3), 4e-3 * i, 1e-3);
+      const FingerState before = finger.state();
+      ASSERT_GT(before.output.force.norm() + std::fabs(before.output.moment), 0.0);
+      const FingerOutput output = finger.update(on_plane(4e-4, 0.0, 1e-3), 0.08, 1e-3);
+      EXPECT_EQ(finger.state().limit_load, 0.0);
+      EXPECT_LE(output.force.norm(), 1e-30);
+      EXPECT_LE(std::fabs(output.moment), 1e-30);
+      EXPECT_EQ(to_string(output.state), "slip");
+      // Springs and dampers of the step: trial wrench over their stiffness.
+      const double stiffness = with.stiffness + with.damping / 1e-3;
+      const double slide = finger.state().trial_force / stiffness;
+      const double turn = finger.state().trial_moment / with.twist_stiffness;
+      EXPECT_NEAR(output.cor / (slide / turn), 1.0, 1e-9);
+    });
   }
 }
 
 // A moment so small that it is 0 in units of its limit is no trial: it keeps its own, and no NaN.
 TEST(NoLoad, AComponentBelowTheSmallestNumberIsNone) {
-  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& kind) {
+  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection) {
     const FrictionLimits<double> limits{{1e10, 0.005}, {1e10, 0.005}, 1e25};
     for (const FrictionTrial<double> trial :
          {FrictionTrial<double>{3e13, 2e-320}, FrictionTrial<double>{2e-320, 3e13}}) {
       FrictionMemory<double> memory;
       const FrictionResult<double> result = apply_friction(curve.view(), projection, limits, trial, memory);
-      EXPECT_TRUE(result.slips && result.force_fraction >= 0.0 && result.force_fraction <= 1.0) << kind;
-      EXPECT_TRUE(result.moment_fraction >= 0.0 && result.moment_fraction <= 1.0) << kind;
+      EXPECT_TRUE(result.slips && result.force_fraction >= 0.0 && result.force_fraction <= 1.0);
+      EXPECT_TRUE(result.moment_fraction >= 0.0 && result.moment_fraction <= 1.0);
     }
   });
 }
@@ -137,7 +136,7 @@ TEST(NoLoad, AComponentBelowTheSmallestNumberIsNone) {
 // From afar only the trial's direction counts: what friction keeps is on the limit, at every magnitude, with and
 // without torsion.
 TEST(NoLoad, ATrialFromAfarKeepsWhatANearerOneDoes) {
-  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& kind) {
+  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection) {
     for (const bool has_torsion : {true, false}) {
       FrictionLimits<double> limits{{2.0, 0.005}, {1.0, 0.005}, 25000.0};
       limits.has_torsion = has_torsion;
@@ -145,15 +144,14 @@ TEST(NoLoad, ATrialFromAfarKeepsWhatANearerOneDoes) {
         FrictionMemory<double> memory;
         const FrictionTrial<double> trial{scale, -lever * scale};
         const FrictionResult<double> result = apply_friction(curve.view(), projection, limits, trial, memory);
-        EXPECT_TRUE(result.slips) << kind;
+        EXPECT_TRUE(result.slips);
         return Eigen::Vector2d(trial.force * result.force_fraction, trial.moment * result.moment_fraction / 0.005);
       };
       for (const double lever : {0.0, 1e-3, 4e-3, 1.0}) {
         const Eigen::Vector2d near = kept(1e30, lever);
-        EXPECT_TRUE((lever > 0.0 && has_torsion) || std::fabs(near.x() - 1.0) <= 1e-12) << kind << ' ' << lever;
+        EXPECT_TRUE((lever > 0.0 && has_torsion) || std::fabs(near.x() - 1.0) <= 1e-12) << lever;
         for (const double scale : {1e59, 1e60, 1e61, 1e100, 1e200, 1e300}) {
-          EXPECT_LE((kept(scale, lever) - near).norm(), 1e-7)
-              << kind << ' ' << lever << ' ' << scale << ' ' << has_torsion;
+          EXPECT_LE((kept(scale, lever) - near).norm(), 1e-7) << lever << ' ' << scale << ' ' << has_torsion;
         }
       }
     }
@@ -163,12 +161,12 @@ TEST(NoLoad, ATrialFromAfarKeepsWhatANearerOneDoes) {
 // A limit that is NaN keeps no friction, whatever the curve.
 TEST(NoLoad, ANaNKeepsNothing) {
 #ifdef NDEBUG
-  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& kind) {
+  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection) {
     const FrictionLimits<double> limits{{nan, 0.005}, {nan, 0.005}, 25000.0};
     FrictionMemory<double> memory;
     const FrictionResult<double> result =
         apply_friction(curve.view(), projection, limits, FrictionTrial<double>{1.0, 0.01}, memory);
-    EXPECT_LE(result.force_fraction + result.moment_fraction, 1e-30) << kind;
+    EXPECT_LE(result.force_fraction + result.moment_fraction, 1e-30);
   });
 #endif
 }

@@ -18,28 +18,27 @@ TEST(RealTime, TheGuardSeesAnAllocationAndALock) {
 }
 
 TEST(RealTime, AStepNeitherAllocatesNorLocks) {
-  for_each_curve_and_projection(
-      uniform(), [&](const FingerCurve& curve, Projection projection, const std::string& name) {
-        FingerParameters with = parameters();
-        with.radius_law = RadiusLaw::hertz(0.008, 2e5);
-        with.damping = 1.0;
-        SoftFinger finger(curve, with, projection);
-        FingerParameters other = parameters(0.3);
-        other.radius_law = RadiusLaw::sampled(std::array<LoadSample, 3>{{{0.5, 3e-3}, {1.0, 4e-3}, {4.0, 6e-3}}});
-        const int count = allocations_and_locks([&] {
-          for (int i = 0; i < 500; ++i) {
-            finger.update(on_plane(i * 1e-4, i * 2e-5, 0.002 - i * 5e-6), i * 0.01, 1e-3);
-            finger.update_under_load({i * 1e-4, 0.0, 0.0}, {std::sin(0.1 * i), 0.0, std::cos(0.1 * i)}, 2.0 - 0.01 * i,
-                                     i * 0.01, 1e-3);
-            static_cast<void>(finger.change(i % 4 == 0 ? other : with));
-            static_cast<void>(finger.margin());
-            static_cast<void>(finger.load_to_hold());
-            static_cast<void>(finger.preview(on_plane(0.0, 0.0, 0.001), 0.0));
-          }
-          finger.update(on_plane(nan, 0.0, 0.0), 0.0);
-        });
-        EXPECT_EQ(count, 0) << name;
-      });
+  for_each_curve_and_projection(uniform(), [&](const FingerCurve& curve, Projection projection) {
+    FingerParameters with = parameters();
+    with.radius_law = RadiusLaw::hertz(0.008, 2e5);
+    with.damping = 1.0;
+    SoftFinger finger(curve, with, projection);
+    FingerParameters other = parameters(0.3);
+    other.radius_law = RadiusLaw::sampled(std::array<LoadSample, 3>{{{0.5, 3e-3}, {1.0, 4e-3}, {4.0, 6e-3}}});
+    const int count = allocations_and_locks([&] {
+      for (int i = 0; i < 500; ++i) {
+        finger.update(on_plane(i * 1e-4, i * 2e-5, 0.002 - i * 5e-6), i * 0.01, 1e-3);
+        finger.update_under_load({i * 1e-4, 0.0, 0.0}, {std::sin(0.1 * i), 0.0, std::cos(0.1 * i)}, 2.0 - 0.01 * i,
+                                 i * 0.01, 1e-3);
+        static_cast<void>(finger.change(i % 4 == 0 ? other : with));
+        static_cast<void>(finger.margin());
+        static_cast<void>(finger.load_to_hold());
+        static_cast<void>(finger.preview(on_plane(0.0, 0.0, 0.001), 0.0));
+      }
+      finger.update(on_plane(nan, 0.0, 0.0), 0.0);
+    });
+    EXPECT_EQ(count, 0);
+  });
 }
 
 TEST(RealTime, TheCageHoldsWhatCallsTheSystem) {

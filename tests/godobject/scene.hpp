@@ -68,10 +68,13 @@ class Random {
 constexpr std::array curve_kinds{CurveKind::exact, CurveKind::table, CurveKind::ellipse, CurveKind::box};
 constexpr std::array projections{Projection::radial, Projection::c_curve, Projection::closest_point};
 
-/// Every kind of curve of a law, handed to `body(curve, name)`.
+/// Every kind of curve of a law, handed to `body(curve)`.
 template <class Body>
 void for_each_curve(const Law& law, Body&& body) {
-  for (const CurveKind kind : curve_kinds) body(make_finger_curve(kind, law, 1e-8), std::string(to_string(kind)));
+  for (const CurveKind kind : curve_kinds) {
+    SCOPED_TRACE(testing::Message() << law->name() << ' ' << to_string(kind));
+    body(make_finger_curve(kind, law, 1e-8));
+  }
 }
 
 /// A kind of curve with a projection that it goes with.
@@ -93,11 +96,13 @@ inline std::vector<CurveChoice> all_curves() {
   return result;
 }
 
-/// All of them, of one law, handed to `body(curve, projection, name)`.
+/// All of them, of one law, handed to `body(curve, projection)`.
 template <class Body>
 void for_each_curve_and_projection(const Law& law, Body&& body) {
-  for (const CurveChoice& choice : all_curves())
-    body(make_finger_curve(choice.kind, law, 1e-8), choice.projection, choice.name());
+  for (const CurveChoice& choice : all_curves()) {
+    SCOPED_TRACE(law->name() + ' ' + choice.name());
+    body(make_finger_curve(choice.kind, law, 1e-8), choice.projection);
+  }
 }
 
 /// The finest table of a law.

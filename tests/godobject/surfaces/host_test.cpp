@@ -64,11 +64,11 @@ TEST(Host, ABodyThatMovesIsFeltAsTheSameMotionSeenFromIt) {
 }
 
 TEST(Host, OtherParametersLeaveProxyAndOutput) {
-  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& name) {
+  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection) {
     SoftFinger finger(curve, parameters(), projection);
     finger.update(on_plane(0, 0, 0.002), 0.0);
     finger.update(on_plane(6e-4, 0, 0.002), 0.02, 1e-3);
-    ASSERT_EQ(finger.output().state, ContactState::stick) << name;
+    ASSERT_EQ(finger.output().state, ContactState::stick);
     const FingerState before = finger.state();
     SoftFinger other = finger;
     // The same ones: every number of this step and of the next ones.
@@ -97,15 +97,15 @@ TEST(Host, OtherParametersLeaveProxyAndOutput) {
     ASSERT_TRUE(finger.change(parameters()));
     finger.update(on_plane(0, 0, 0.002), 0.0);
     finger.update(on_plane(6e-4, 0, 0.002), 0.0);
-    EXPECT_NEAR(finger.margin(), 0.5, 1e-9) << name;
-    EXPECT_NEAR(finger.load_to_hold(), 1.0, 1e-9) << name;
+    EXPECT_NEAR(finger.margin(), 0.5, 1e-9);
+    EXPECT_NEAR(finger.load_to_hold(), 1.0, 1e-9);
     ASSERT_TRUE(finger.change(parameters(0.2)));
-    EXPECT_EQ(finger.margin(), 0.0) << name;
-    EXPECT_NEAR(finger.load_to_hold(), 3.0, 1e-9) << name;
+    EXPECT_EQ(finger.margin(), 0.0);
+    EXPECT_NEAR(finger.load_to_hold(), 3.0, 1e-9);
     next = finger.update(on_plane(6e-4, 0, 0.002), 0.0);
-    EXPECT_EQ(next.state, ContactState::slip) << name;
-    EXPECT_NEAR(next.force.x(), -0.4, 1e-9) << name;
-    EXPECT_NEAR(next.slip_work, 0.4 * 2e-4, 1e-9) << name;
+    EXPECT_EQ(next.state, ContactState::slip);
+    EXPECT_NEAR(next.force.x(), -0.4, 1e-9);
+    EXPECT_NEAR(next.slip_work, 0.4 * 2e-4, 1e-9);
   });
 }
 
