@@ -341,6 +341,18 @@ Reached reached(const EdgeModel& model, std::span<const EdgeRow> rows, const Vec
   return all;
 }
 
+/// Whether the loads are of more than one size, so that they tell how the moment grows with the load.
+bool loads_differ(std::span<const EdgeRow> rows) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const EdgeRow& row : rows) {
+    sum += row.log_load;
+    squares += row.log_load * row.log_load;
+  }
+  const double mean = sum / static_cast<double>(rows.size());
+  return squares / static_cast<double>(rows.size()) - mean * mean > 0.1 * 0.1;
+}
+
 void require(bool good, const char* expected) {
   if (!good) throw std::invalid_argument(std::string("loss edge: ") + expected);
 }
@@ -439,6 +451,12 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
   if (options.fit_gamma) {
     const auto [low, high] = edge_model.bounds(2);
     warn_of_end(report, {"gamma", 0.0, low, high}, values[2]);
+  } else if (loads_differ(rows)) {
+    const EdgeModel with_gamma(gauge, true, options.gamma);
+    const Vector other = find_edge(with_gamma, rows, std::nullopt).v;
+    const double error = std::hypot(std::sqrt(covariance_by_grip(with_gamma, rows, other)(2, 2)), floors[2]);
+    warn_of_growth(report, options.gamma, {"gamma", other[2], error, "1"}, static_cast<double>(grips.size()) - 3.0,
+                   std::numeric_limits<double>::infinity());
   }
   return fit;
 }

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace limitcurve {
@@ -208,6 +209,13 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     for (std::size_t i = 0; i < edges_.size(); ++i)
       differences_.push_back(
           std::min(1.0, safety * std::max({largest[i > 0 ? i - 1 : 0], largest[i], largest[i + 1]})));
+    // Between the last sample and a rim farther out the pressure may go on as high as there.
+    if (const double unknown = unknown_load(); unknown > 0.0) {
+      for (double& cell : differences_) cell = std::min(1.0, cell + unknown);
+      edges_.push_back(1.0);
+      differences_.push_back(unknown);
+      distance_ = std::numeric_limits<double>::max();
+    }
   }
 
   std::string name() const override {
@@ -236,9 +244,25 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     }
     const auto [load, moment] = beyond_rim();
     if (load > 0.0) {
-      lines.push_back("note: " + source_ + ": " + format_number(100.0 * load, 2) + " % of the load and " +
-                      format_number(100.0 * moment / ratio, 2) + " % of the moment of a pure twist lie beyond rim=" +
-                      format_number(named_rim_) + ": an offset of the sensor?");
+      lines.push_back("note: " + source_ + ": " + format_number(100.0 * load, 3) + " % of the load and " +
+                      format_number(100.0 * moment / ratio, 3) + " % of the moment of a pure twist lie beyond rim=" +
+                      format_number(named_rim_) + ": is that an offset of the sensor, or the rim in another unit?");
+    }
+    const double first = profile_.front().radius;
+    const double last = profile_.back().radius;
+    const double unknown = unknown_load();
+    if (unknown > 0.01 || last < 0.5 * rim_) {
+      lines.push_back("warning: " + source_ + ": from the last sample, at " + format_number(last) +
+                      ", to rim=" + format_number(rim_) + " the pressure counts as 0" +
+                      (unknown > 0.0 ? ", but may be another " + format_number(100.0 * unknown, 2) + " % of the load"
+                                     : std::string()) +
+                      ": is the profile cut off, or the rim in another unit?");
+    }
+    const double inside = static_cast<double>(pieces_(Extended(0))) * (first / rim_) * (first / rim_);
+    if (inside > 0.01 && first > 1.5 * (profile_[1].radius - first)) {
+      lines.push_back("warning: " + source_ + ": from the centre to the first sample, at " + format_number(first) +
+                      ", the pressure counts as that of the first sample, " + format_number(100.0 * inside, 2) +
+                      " % of the load: a contact with a hole needs samples of pressure 0");
     }
     return lines;
   }
@@ -298,6 +322,13 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
   }
 
  private:
+  /// The share of the load that would lie between the last sample and the rim if the pressure went on there.
+  [[nodiscard]] double unknown_load() const {
+    const double last = profile_.back().radius / rim_;
+    if (!(last < 1.0) || profile_.back().pressure == 0.0) return 0.0;
+    const double load = static_cast<double>(pieces_(Extended(last * (1.0 - 1e-12)))) * (1.0 - last * last);
+    return load / (1.0 + load);
+  }
   /// Load and moment of a pure twist beyond the rim.
   [[nodiscard]] std::pair<double, double> beyond_rim() const {
     std::pair<double, double> sum{0.0, 0.0};

@@ -58,6 +58,7 @@ TEST(Edge, FindsTheLimitsAmongHoldsAndLoadingWithoutMarks) {
       EXPECT_EQ(fit.residuals.size(), samples.size());
       if (gamma > 0.0) {
         EXPECT_NEAR(fit.report.at("gamma").value, gamma, 3.0 * fit.report.at("gamma").std_error);
+        EXPECT_TRUE(fit_contact(samples, ContactModel::of(hertz()), edge()).report.gamma_refused);
       }
     }
   }

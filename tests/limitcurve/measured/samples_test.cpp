@@ -249,9 +249,31 @@ TEST(Samples, SayWhatIsOddAboutThem) {
   EXPECT_EQ(remark(rows, 6.0), "");
   rows[40].pressure = 0.004;
   test::expect_mention(remark(rows), "warning: p.csv: the mean radius of its load is 3.55,");
-  test::expect_mention(remark(rows, 6.0), "note: p.csv: 0.45 % of the load and 2.5 % of the moment");
+  test::expect_mention(remark(rows, 6.0), "note: p.csv: 0.447 % of the load and 2.49 % of the moment");
+  test::expect_mention(remark(sensor_line(), 60.0), "warning: p.csv: from the last sample");
   EXPECT_EQ(remark({{0, 3}, {1, 2.5}, {2, 2}, {3, 1}, {4, 0}}),
             "note: p.csv: 5 samples are too few to estimate the error between them; expected 7 or more\n");
+}
+
+// A line across a ring that leaves out its hole, and one that ends before the rim, where a punch's pressure is
+// unbounded.
+TEST(Samples, WhatIsNotMeasuredIsInTheErrorOrSaid) {
+  const Law ring = samples(sampled([](double rho) { return rho < 0.5 ? 0.0 : 1.0; }, 20, 0.0), "ring.csv");
+  EXPECT_TRUE(ring->remarks().empty());
+  std::vector<PressureSample> outside{{3, 1}, {3.5, 1}, {4, 1}, {4.5, 1}, {5, 1}, {5.5, 1}, {6, 1}};
+  const std::vector<std::string> said = samples(outside, "ring.csv")->remarks();
+  ASSERT_EQ(said.size(), 1U);
+  test::expect_mention(said.front(), "25 % of the load: a contact with a hole needs samples of pressure 0");
+  for (const int count : {8, 30, 100, 1000}) {
+    std::vector<PressureSample> punch;
+    for (int i = 0; i < count; ++i) {
+      const double rho = static_cast<double>(i) / count;
+      punch.push_back({6.0 * rho, 1.0 / std::sqrt(1.0 - rho * rho)});
+    }
+    const WrenchEstimate spin = samples(punch, "punch.csv", 6.0)->evaluate(0.0);
+    EXPECT_LE(std::fabs(spin.wrench.moment - std::numbers::pi / 4.0), spin.error.moment) << count;
+    EXPECT_LE(spin.error.moment, 5.0 * std::fabs(spin.wrench.moment - std::numbers::pi / 4.0)) << count;
+  }
 }
 
 TEST(Samples, PureSlidingIsExactAndNoErrorExceedsWhatProfilesCanDiffer) {
