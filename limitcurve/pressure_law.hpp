@@ -133,8 +133,8 @@ Method method_of(const PressureLaw& law, std::string_view name);
 ///  - the pressure grows towards the rim at most like rim^(−½), computed from `rim`, or has a
 ///    `rim_exponent`. A ring of infinite pressure within the rim costs digits: about 1e-9.
 /// If a law breaks one of these rules, its quadrature misses a part of the load. `evaluate` and tables add this part to
-/// their error, and `checked` rejects the law if the part exceeds 1e-3. Results cannot become NaN. Method::boost, the
-/// independent reference, does not detect the missing part.
+/// their error, up to four times, and `checked` rejects the law if that exceeds 1e-3. Results cannot become NaN.
+/// Method::boost, the independent reference, does not detect the missing part.
 template <class Derived>
 class PressureLawOf : public PressureLaw {
  public:

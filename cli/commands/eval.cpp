@@ -47,6 +47,10 @@ class Eval final : public Subcommand {
     questions.load(load_);
     if (radius_) questions.length("--radius", *radius_);
     results.messages->say(questions.lines());
+    if (!radius_ && law_->rim() > 0.0 && force_unit != 1.0) {
+      results.messages->say("limitcurve: note: without --radius a is 1 m; that of " + law_->name() + " is --radius " +
+                            format_number(law_->rim()) + " if its radii are in metres");
+    }
     Rows rows(results, {"c", "force", "moment", "force_error", "moment_error"});
     for (const double c : distances_) {
       const double s = c / radius;

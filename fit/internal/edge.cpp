@@ -452,9 +452,12 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
     const auto [low, high] = edge_model.bounds(2);
     warn_of_end(report, {"gamma", 0.0, low, high}, values[2]);
   } else if (loads_differ(rows)) {
+    // Holds may feign a small gamma: it counts if it is many standard errors and halves apart.
+    constexpr double feigned = 0.02;
     const EdgeModel with_gamma(gauge, true, options.gamma);
     const Vector other = find_edge(with_gamma, rows, std::nullopt).v;
-    const double error = std::hypot(std::sqrt(covariance_by_grip(with_gamma, rows, other)(2, 2)), floors[2]);
+    const double apart = find_edge(with_gamma, halves[0], other).v[2] - find_edge(with_gamma, halves[1], other).v[2];
+    const double error = std::hypot(std::sqrt(covariance_by_grip(with_gamma, rows, other)(2, 2)), 0.5 * apart, feigned);
     warn_of_growth(report, options.gamma, {"gamma", other[2], error, "1"}, static_cast<double>(grips.size()) - 3.0,
                    std::numeric_limits<double>::infinity());
   }

@@ -25,8 +25,8 @@ namespace limitcurve::fit::internal {
 ///
 /// Throws std::invalid_argument without sigmas or grips, for fewer than four grips, and if more than 3 % of the rows
 /// lie outside any such curve. Warns if no sharp edge is found, if another γ than the assumed one fits better, if the
-/// halves differ, and if few grips slip one way: a limit is then what the wrench reached. Cost: about 1 s for 5000 rows; of more
-/// than 6000 every n-th counts.
+/// halves differ, and if few grips slip one way: a limit is then what the wrench reached. Cost: about 1 s for 5000
+/// rows; of more than 6000 every n-th counts.
 ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options);
 
 }  // namespace limitcurve::fit::internal

@@ -59,6 +59,7 @@ class Hold(CommandLineTest):
         rows_of = [(0.5e-3 * i, math.sqrt(max(0.0, 1 - (i / 12) ** 2))) for i in range(30)]
         rows_of[25] = (rows_of[25][0], 0.004)
         law = f"samples:{self.data('radius,pressure', rows_of)}"
+        self.assertIn("without --radius a is 1 m", run("eval", "--law", law, "--c", "0.002", "--load", "2").stderr)
         wrench = ["--mu", "0.6", "--force", "1", "--moment", "2e-3"]
         own = run("hold", "--law", law, *wrench)
         self.assertEqual(own.stdout.splitlines()[0], "force,moment,hold_load,hold_error")
