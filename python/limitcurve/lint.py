@@ -40,7 +40,6 @@ VERDICTS = {
     "ok": (0, "within these bounds"),
 }
 ERROR = 2  # exit status if the file or the arguments cannot be read
-NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,2})?")
 FLAGS = ("condim", "priority", "contype", "conaffinity")
 USD = ("newton:torsionalFriction", "physxCollision:minTorsionalPatchRadius", "physxCollision:torsionalPatchRadius")
 DEFAULT = (1.0, 0.005, 0.0001)  # MuJoCo's friction of a geom
@@ -70,13 +69,17 @@ class Element:
     def refuse(self, text):
         raise ValueError(f"{self.file}:{self.line}: <{self.tag}>: {text}")
 
-    def numbers(self, key=None):
-        """Of an attribute, or of the text."""
+    def numbers(self, key=None, least=0.0):
+        """Finite, and not below `least`: of an attribute, or of the text."""
         words = (self.text if key is None else self.get(key, "")).split()
-        if not words or not all(NUMBER.fullmatch(word) for word in words):
+        try:
+            numbers = [float(word) for word in words]
+        except ValueError:
+            numbers = []
+        if not numbers or not all(least <= number < math.inf for number in numbers):
             hint = "; expand it first: xacro FILE.xacro > FILE.urdf" if "${" in "".join(words) else ""
-            self.refuse(f"got '{' '.join(words)}', expected numbers{hint}")
-        return [float(word) for word in words]
+            self.refuse(f"got '{' '.join(words)}', expected finite numbers{' >= 0' * (least == 0)}{hint}")
+        return numbers
 
 
 def read_xml(path):
@@ -140,12 +143,12 @@ class Rows:
         self.notes.append(f"{at.file}:{at.line}: {text}")
 
     def add(self, at, what, parameter, value, mu=None, others=(), verdict="", note="", count=1, metre=1.0, rival=0.0):
-        """`at`: the element that states the number. Without a verdict the number is compared with the contact."""
-        if not 0 <= value < math.inf:
-            at.refuse(f"got {value:g}, expected a friction number >= 0")
-        engine, mu = re.split("[.:]", parameter)[0], self.mu or mu
-        others = [*others, *[f"friction={mu!r}"] * (mu is not None)]
-        read = (f"{parameter}={value * metre!r}", *(f"{engine}.{other}" for other in others))
+        """`at`: the element that states the number. Without a verdict its moment is compared with the contact's."""
+        mu = self.mu or (1.0 if mu is None else mu)
+        if mu < 0:
+            at.refuse(f"got friction {mu:g}, expected >= 0")
+        engine = re.split("[.:]", parameter)[0]
+        read = (f"{parameter}={value * metre!r}", *(f"{engine}.{other}" for other in (*others, f"friction={mu!r}")))
         self.found.append(
             Row(at.file, at.line, what, count, parameter, value, verdict=verdict, note=note, mu=mu or 1.0, read=read,
                 metre=metre, rival=rival))
@@ -158,7 +161,7 @@ class Rows:
         # One call for each parameter: a number of a parameter that was given already begins another contact.
         for parameter in {row.parameter for row in kept}:
             rows = [row for row in kept if row.parameter == parameter]
-            table = translate(self.law, mu=self.mu or 1.0, read=[text for row in rows for text in row.read])
+            table = translate(self.law, read=[text for row in rows for text in row.read])
             place = 0
             for row in rows:
                 self.judge(row, **{name: table[name][place] for name in table})
@@ -172,17 +175,18 @@ class Rows:
             row.write = self.wanted(str(engine), row.mu).get(name, math.nan) / row.metre
         if row.verdict:
             return
-        if row.rival > FACTOR * row.write:
+        right = self.wanted("ode", row.mu)["surface.rhoN"] if self.how else math.nan  # moment over load
+        if row.rival > FACTOR * right:
             row.verdict = "hidden"
-            row.note += f"; it is {row.rival / row.write:.2g} times the contact's"
-        elif row.value > FACTOR * row.write:
+            row.note += f"; it is {row.rival / right:.2g} times the contact's"
+        elif row.moment_per_load > FACTOR * right:
             row.verdict = "too large"
-        elif row.value * FACTOR < row.write:
+        elif row.moment_per_load * FACTOR < right:
             row.verdict = "too small"
         elif row.moment_per_load == 0:
             row.verdict = "no moment"
         else:
-            row.verdict = "note" if math.isnan(row.write) else "ok"
+            row.verdict = "ok" if self.how else "note"
 
 
 def include(element, main, seen):
@@ -219,7 +223,7 @@ class Surface:
                 element.refuse(f"friction has {len(stated)} numbers, expected at most {len(self.friction)}")
             self.friction, self.friction_at = (*stated, *self.friction[len(stated):]), element
             self.at = element if len(stated) > len(self.friction) // 2 else self.at
-        self.__dict__.update({key: int(element.numbers(key)[0]) for key in FLAGS if element.get(key) is not None})
+        self.__dict__.update({key: int(element.numbers(key, -math.inf)[0]) for key in FLAGS if element.get(key) is not None})
         self.condim_at = element if element.get("condim") is not None else self.condim_at
         return self
 
@@ -243,6 +247,7 @@ class Mjcf:
         flags = {key: value for flag in root.every("flag") for key, value in flag.attributes.items()}
         if flags.get("override") == "enable":
             root.refuse("not read: <flag override> replaces the friction of every contact by o_friction")
+        self.off = next((key for key in ("contact", "constraint") if flags.get(key) == "disable"), None)
         self.filters_parents = flags.get("filterparent") != "disable"
         self.options = {key: option for option in root.every("option") for key in option.attributes}
         self.excludes = {frozenset((e.get("body1"), e.get("body2"))) for e in root.every("exclude")}
@@ -307,8 +312,8 @@ def lint_mjcf(root, rows):
     for numbers in kinds.values():
         numbers[:] = sorted(set(numbers))
     torsion = any(s.condim > 3 for _, s in scene.pairs) or any(k[0] > 3 and (k[2] or k[3]) for k in kinds)
-    if torsion:
-        lint_options(scene.options, rows)
+    if torsion and not scene.off and len(scene.names) > 1:
+        lint_options(root, scene.options, rows)
     in_pair = {pair.get(key) for pair, _ in scene.pairs for key in ("geom1", "geom2")}
     for members in groups.values():
         s = members[0].surface
@@ -317,23 +322,25 @@ def lint_mjcf(root, rows):
     turning = {geom.element.get("name") for geom in scene.geoms if geom.surface.condim > 3}
     for pair, s in scene.pairs:
         lint_pair(pair, s, not s.at and s.condim < 4 and bool(turning & {pair.get("geom1"), pair.get("geom2")}), rows)
+    for row in rows.found if scene.off else ():
+        row.verdict = "note" if row.value == DEFAULT[1] else "dead"  # a note as if it were not written
+        row.note = f'<flag {scene.off}="disable"/>: nothing touches'
 
 
-def lint_options(options, rows):
-    """What the solver's options do to contacts with torsion, if the file states one."""
+def lint_options(root, options, rows):
+    """What the solver's options, or their defaults, do to contacts with torsion."""
     stated = [options[key] for key in ("cone", "impratio", "noslip_iterations") if key in options]
-    if not stated:
-        return
     impratio, noslip = (options[key].numbers(key)[0] if key in options else default
                         for key, default in (("impratio", 1.0), ("noslip_iterations", 0.0)))
-    note = ""
-    if "cone" not in options or options["cone"].get("cone") == "pyramidal":
-        note = f"a pyramidal cone: {'friction of a mixed slip falls, and ' * (impratio > 1)}a held object turns"
+    cone, note = options["cone"].get("cone") if "cone" in options else "", ""
+    if cone in ("", "pyramidal"):
+        note = f"a pyramidal cone{', the default' * (not cone)}: "
+        note += f"{'friction of a mixed slip falls, and ' * (impratio > 1)}a held object turns"
     elif noslip < 1 and impratio < 1000:
         note = "without noslip_iterations a held object turns"
     if note:
         note += '; write cone="elliptic" impratio="10" noslip_iterations="3"'
-        rows.add(stated[0], "option", "mujoco.impratio", impratio, verdict="creeps", note=note)
+        rows.add((stated or [root])[0], "option", "mujoco.impratio", impratio, verdict="creeps", note=note)
 
 
 def lint_geoms(scene, members, kinds, torsion, in_pair, rows):
@@ -410,31 +417,60 @@ def lint_urdf(root, rows):
         lint_sdf(gazebo, rows)
 
 
+def engine_of(root):
+    """The physics engine that an SDF file names."""
+    for plugin in root.every("plugin"):
+        if "physics-system" in plugin.get("filename", ""):  # gz-sim's, for which the type of <physics> is nothing
+            engine = plugin.child("engine", "filename")
+            return engine.text.strip() if engine else "gz-sim's default, DART,"
+    physics = sorted(root.every("physics"), key=lambda one: one.get("default") not in ("1", "true"))
+    return physics[0].get("type", "ode") if physics else "ode"
+
+
 def lint_sdf(root, rows):
     for part in root.every("include"):
         uri = part.child("uri")
         rows.not_read(part, f"<include> of {uri.text.strip() if uri else '?'} is not read: check that file too")
-    for collision in root.every("collision"):
-        what = f"collision {collision.get('name', '')}".strip()
-        torsional = collision.child("surface", "friction", "torsional")
-        at = {c.tag: c for c in torsional.children} if torsional else {}
-        value = {tag: at[tag].numbers()[0] for tag in ("coefficient", "patch_radius", "surface_radius") if tag in at}
-        patch = "use_patch_radius" not in at or at["use_patch_radius"].text.strip().lower() in ("1", "true")
-        mu = value.get("coefficient", 1.0)
-        if "patch_radius" in value:
-            dead = value["patch_radius"] > 0 and not (patch and mu)
-            note = f"with coefficient {mu:g}" + ", the default" * ("coefficient" not in value)
-            rows.add(at["patch_radius"], what, "gazebo.patch_radius", value["patch_radius"], mu,
-                     [f"coefficient={mu}", f"use_patch_radius={int(patch)}"], "dead" * dead,
-                     note if patch else "use_patch_radius is false")
-        elif "coefficient" in value and patch:
-            rows.add(at["coefficient"], what, "gazebo.coefficient", mu, verdict="no moment",
-                     note="patch_radius is 0 here: the other surface's counts")
-        if "surface_radius" in value:
-            radius = value["surface_radius"]
-            rows.add(at["surface_radius"], what, "gazebo.surface_radius", radius, mu, [f"coefficient={mu}"],
-                     "dead" if patch and radius else "note",
-                     "use_patch_radius is true: not read" if patch else "lever sqrt(value depth): at 0.1 mm")
+    engine = engine_of(root)
+    for link in root.every("link") or [root]:
+        for collision in link.every("collision"):
+            name = f"{link.get('name') or link.get('reference', '')} {collision.get('name', '')}"
+            lint_collision(collision, f"collision {name.strip()}".strip(), link.child("mu1"), engine, rows)
+
+
+def lint_collision(collision, what, mu1, engine, rows):
+    """`mu1`: friction of a link in a URDF."""
+    friction, length = collision.child("surface", "friction"), "bullet-featherstone" in engine
+    torsional = friction and friction.child("torsional")
+    at = {c.tag: c for c in torsional.children} if torsional else {}
+    value = {tag: at[tag].numbers()[0] for tag in ("coefficient", "patch_radius", "surface_radius") if tag in at}
+    sliding = friction and friction.child(*(("bullet", "friction") if length else ("ode", "mu"))) or mu1
+    mu = rows.mu or (sliding.numbers()[0] if sliding else 1.0)
+    patch = "use_patch_radius" not in at or at["use_patch_radius"].text.strip().lower() in ("1", "true")
+    coefficient = value.get("coefficient", 1.0)
+    for tag in value if engine != "ode" else ():
+        if length and tag == "coefficient":
+            rows.add(at[tag], what, "gz-sim-bullet.coefficient", coefficient, mu, note="a length here")
+        else:
+            rows.add(at[tag], what, f"gazebo.{tag}", value[tag], mu, [f"coefficient={coefficient}"],
+                     "dead" if value[tag] else "no moment", f"{engine} does not read it: only ODE in Gazebo classic does")
+    if engine != "ode":
+        return
+    if "patch_radius" in value:
+        dead = value["patch_radius"] > 0 and not (patch and coefficient)
+        note = f"with coefficient {coefficient:g}" + ", the default" * ("coefficient" not in value)
+        note += f"; write mu, {mu:g}" * (coefficient != mu)
+        rows.add(at["patch_radius"], what, "gazebo.patch_radius", value["patch_radius"], mu,
+                 [f"coefficient={coefficient}", f"use_patch_radius={int(patch)}"], "dead" * dead,
+                 note if patch else "use_patch_radius is false")
+    elif "coefficient" in value and patch:
+        rows.add(at["coefficient"], what, "gazebo.coefficient", coefficient, verdict="no moment",
+                 note="patch_radius is 0 here: the other surface's counts")
+    if "surface_radius" in value:
+        radius = value["surface_radius"]
+        rows.add(at["surface_radius"], what, "gazebo.surface_radius", radius, mu, [f"coefficient={coefficient}"],
+                 "dead" if patch and radius else "note",
+                 "use_patch_radius is true: not read" if patch else "lever sqrt(value depth): at 0.1 mm")
 
 
 def lint_usda(root, rows):
@@ -455,9 +491,7 @@ def lint_usda(root, rows):
         found = re.match(r"\s*(?:custom\s+|uniform\s+)*(?:float|double|half)\s+([\w:]+)(\.timeSamples)?", row)
         if not found or found[1] not in USD:
             continue
-        value = re.fullmatch(number, re.split("[(#]", row[found.end(1):])[0].rstrip())
-        if value is None:
-            at.refuse(f"{found[1]}: expected a number")
+        at.text = re.split("[(#]", row.partition("=")[2])[0]
         notes = []
         if metre != 1:
             notes.append(f"a unit is {metre:g} m" + ", for want of metersPerUnit" * (unit is None))
@@ -465,7 +499,7 @@ def lint_usda(root, rows):
             notes.append("SolverMuJoCo needs mjc:condim 4")
         grows = found[1].endswith(":torsionalPatchRadius")
         notes += ["lever sqrt(value depth): at 0.1 mm"] * grows
-        rows.add(at, at.tag, found[1], float(value[1]), mu, (), "note" * grows, "; ".join(notes), metre=metre)
+        rows.add(at, at.tag, found[1], at.numbers()[0], mu, (), "note" * grows, "; ".join(notes), metre=metre)
 
 
 READERS = {"usda": lint_usda, "mujoco": lint_mjcf, "robot": lint_urdf, "sdf": lint_sdf}

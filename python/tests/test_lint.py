@@ -16,13 +16,18 @@ BALL = '<body name="{0}"><freejoint/><geom name="{0}" size="0.1" {1}/></body>'
 
 
 def mjcf(body, before="", after=""):
-    return (f'<mujoco>{before}<worldbody><geom name="floor" type="plane" size="1 1 '
+    option = "" if "<option" in before else '<option cone="elliptic" noslip_iterations="3"/>'
+    return (f'<mujoco>{option}{before}<worldbody><geom name="floor" type="plane" size="1 1 '
             f'1"/>{body}</worldbody>{after}</mujoco>')
 
 
-def sdf(torsional):
+FEATHER = """<physics type="ode"/><plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"><engine>
+    <filename>gz-physics-bullet-featherstone-plugin</filename></engine></plugin>"""
+
+
+def sdf(torsional, world=""):
     surface = f"<surface><friction><ode><mu>0.8</mu></ode><torsional>{torsional}</torsional></friction></surface>"
-    return ('<sdf version="1.9"><model name="m"><link name="l"><collision '
+    return (f'<sdf version="1.9">{world}<model name="m"><link name="l"><collision '
             f'name="tip">{surface}</collision></link></model></sdf>')
 
 
@@ -68,6 +73,9 @@ SCENES = [
     ("default_number.xml", mjcf(BALL.format("tip", 'friction="1 0.005 0.0001"')), ["note"], ["note"]),
     ("impratio.xml",
      mjcf(tip("0.8 0.0019", FIRST), '<option impratio="10"/>'), ["creeps", "note"], ["creeps", "ok"]),
+    ("bare.xml", mjcf(tip("0.8 1e-300", FIRST), "<option/>"), ["creeps", "note"], ["creeps", "too small"]),
+    ("no_contacts.xml", mjcf(tip("0.8 0.0024", FIRST), '<option><flag contact="disable"/></option>'), ["dead"],
+     ["dead"]),
     ("holds.xml",
      mjcf(tip("0.8 0.0019", FIRST), '<option impratio="10" cone="elliptic" noslip_iterations="3"/>'),
      ["note"], ["ok"]),
@@ -90,6 +98,11 @@ SCENES = [
     ("radius.sdf",
      sdf("<coefficient>0.8</coefficient><patch_radius>0.005</patch_radius><surface_radius>0.02</surface_radius>"),
      ["note", "dead"], ["ok", "dead"]),
+    ("coefficient.sdf", sdf("<coefficient>0.002356</coefficient><patch_radius>0.005</patch_radius>"), ["note"],
+     ["too small"]),
+    ("dart.sdf", sdf("<coefficient>0.8</coefficient><patch_radius>0.005</patch_radius>", '<physics type="dart"/>'),
+     ["dead", "dead"], ["dead", "dead"]),
+    ("feather.sdf", sdf("<coefficient>0.002356</coefficient>", FEATHER), ["note"], ["ok"]),
     ("newton.usda", usda("float newton:torsionalFriction = 0.25"), ["note"], ["too large"]),
     ("physx.usda", usda("float physxCollision:minTorsionalPatchRadius = 0.3",
                         "metersPerUnit = 0.01"), ["note"], ["ok"]),
@@ -124,6 +137,10 @@ def test_meaning_and_what_to_write(run):
                         *FINGERTIP)
     assert float(row["moment_per_load"]) == pytest.approx(0.8 * 0.003)
     assert float(row["write"]) == pytest.approx(0.2945, rel=1e-3)  # m0 a, in centimetres
+    reference = ('<robot name="r"><gazebo reference="l2"><mu1>0.8</mu1><collision><surface><friction><torsional>'
+                 "<patch_radius>0.005</patch_radius></torsional></friction></surface></collision></gazebo></robot>")
+    _, (row,) = run({"a.urdf": reference}, *FINGERTIP, "--only", "l2")[0]
+    assert float(row["moment_per_load"]) == pytest.approx(1.25 * 0.002356, rel=1e-3) and "write mu, 0.8" in row["note"]
     (row,), _, _ = run({"a.sdf": sdf("<coefficient>10</coefficient><patch_radius>0.02</patch_radius>")})
     assert float(row["moment_per_load"]) == pytest.approx(0.11781, rel=1e-4)
     scene = mjcf(
@@ -151,7 +168,9 @@ def test_meaning_and_what_to_write(run):
                           ("a.xml", mjcf(BALL.format("tip", 'friction="1 nan"')), "a.xml:1"),
                           ("a.xml", mjcf(BALL.format("tip", 'friction="1 -0.1"')), "a.xml:1"),
                           ("a.xml", mjcf("", '<option><flag override="enable"/></option>'), "override"),
-                          ("a.usda", usda("float newton:torsionalFriction.timeSamples = {"), "expected a number"),
+                          ("a.usda", usda("float newton:torsionalFriction.timeSamples = {"), "expected finite numbers"),
+                          ("a.usda", usda("float newton:torsionalFriction = 1").replace("0.8", "-0.8"), "a.usda:8: "),
+                          ("a.xml", mjcf(BALL.format("tip", 'friction="-0.8 0.05 0"')), "a.xml:1: <geom>"),
                           ("a.xml", mjcf('<composite type="cable"/>'), "mj_saveLastXML")])
 def test_what_cannot_be_read_is_one_line(run, name, text, told):
     found, error, status = run({name: text})
@@ -278,7 +297,7 @@ def test_what_is_not_read_is_said(run):
     assert "model://hand" in run({"a.sdf": world})[1]
     assert "flatten" in run({"a.usda": usda("float newton:torsionalFriction = 0.25", 'subLayers = [@hand.usda@]')})[1]
     found, told, status = run({"a.sdf": sdf("<patch_radius>0.005</patch_radius>")}, "--only", "typ0")
-    assert (found, status) == ([], 2) and "collision tip" in told
+    assert (found, status) == ([], 2) and "collision l tip" in told
     assert "no number" in run({"a.urdf": '<robot name="r"/>'})[1]
 
 
