@@ -31,8 +31,8 @@ VERDICTS = {
     "unused": (1, "never acts, because no contact of the geom has condim 4 or 6"),
     "hidden": (1, "another geom's number acts instead, always or with more than {FACTOR} times the contact's moment"),
     "geom order": (1, "a pair's numbers in a geom's order: sliding differs more than {ANISOTROPY} times"),
-    "too large": (1, "more than {FACTOR} times the contact's"),
-    "too small": (1, "less than 1/{FACTOR} of the contact's"),
+    "too large": (1, "more than {FACTOR} times the contact's moment"),
+    "too small": (1, "less than 1/{FACTOR} of the contact's moment"),
     "creeps": (0, "the options let a held object turn or sink"),
     "no contact": (0, "the geom touches nothing"),
     "no moment": (0, "the number sets no moment about the normal"),
@@ -223,7 +223,8 @@ class Surface:
                 element.refuse(f"friction has {len(stated)} numbers, expected at most {len(self.friction)}")
             self.friction, self.friction_at = (*stated, *self.friction[len(stated):]), element
             self.at = element if len(stated) > len(self.friction) // 2 else self.at
-        self.__dict__.update({key: int(element.numbers(key, -math.inf)[0]) for key in FLAGS if element.get(key) is not None})
+        self.__dict__.update({key: int(element.numbers(key, -2.0**31)[0])
+                              for key in FLAGS if element.get(key) is not None})
         self.condim_at = element if element.get("condim") is not None else self.condim_at
         return self
 
@@ -453,7 +454,8 @@ def lint_collision(collision, what, mu1, engine, rows):
             rows.add(at[tag], what, "gz-sim-bullet.coefficient", coefficient, mu, note="a length here")
         else:
             rows.add(at[tag], what, f"gazebo.{tag}", value[tag], mu, [f"coefficient={coefficient}"],
-                     "dead" if value[tag] else "no moment", f"{engine} does not read it: only ODE in Gazebo classic does")
+                     "dead" if value[tag] else "no moment",
+                     f"{engine} does not read it: only ODE in Gazebo classic does")
     if engine != "ode":
         return
     if "patch_radius" in value:

@@ -139,7 +139,7 @@ def test_meaning_and_what_to_write(run):
     assert float(row["write"]) == pytest.approx(0.2945, rel=1e-3)  # m0 a, in centimetres
     reference = ('<robot name="r"><gazebo reference="l2"><mu1>0.8</mu1><collision><surface><friction><torsional>'
                  "<patch_radius>0.005</patch_radius></torsional></friction></surface></collision></gazebo></robot>")
-    _, (row,) = run({"a.urdf": reference}, *FINGERTIP, "--only", "l2")[0]
+    (_, row), _, _ = run({"a.urdf": reference}, *FINGERTIP, "--only", "l2")
     assert float(row["moment_per_load"]) == pytest.approx(1.25 * 0.002356, rel=1e-3) and "write mu, 0.8" in row["note"]
     (row,), _, _ = run({"a.sdf": sdf("<coefficient>10</coefficient><patch_radius>0.02</patch_radius>")})
     assert float(row["moment_per_load"]) == pytest.approx(0.11781, rel=1e-4)
