@@ -14,10 +14,10 @@ struct TangentEllipse {
 };
 
 /// The ellipse that touches the curve where the contact slips: it has the curve's wrench there, and its normal.
-/// Elsewhere it is up to 26 % too weak. Signs are ignored; no slip gives the ellipse through the intercepts, (1, m₀),
-/// NaN gives NaN. A table's checked error bounds f and m, but p near pure spin (q near pure sliding) depends on their
-/// slope: there the relative error of a table of 1e-8 is 2e-6, for a sharp peak (xydas-kao:k=0.05) 3e-4, and for
-/// uniform-wear, whose pressure is infinite at the centre, 1e-8/f.
+/// Elsewhere it is up to 24 % (Hertz) to 26.5 % (flat punch) too weak. Signs are ignored; no slip gives the ellipse
+/// through the intercepts, (1, m₀), NaN gives NaN. A table's checked error bounds f and m, but p near pure spin (q near
+/// pure sliding) depends on their slope: there the relative error of a table of 1e-8 is 2e-6, for a sharp peak
+/// (xydas-kao:k=0.05) 3e-4, and for uniform-wear, whose pressure is infinite at the centre, 1e-8/f.
 [[nodiscard]] TangentEllipse tangent_ellipse(const Table& curve, SlipTwist slip) noexcept;
 
 /// The same if you know only an engine's unit wrench, found with the ellipse (p, q), p, q > 0. The new ellipse touches
