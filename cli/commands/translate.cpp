@@ -7,6 +7,7 @@
 #include "limitcurve/engines/engine_coefficients.hpp"
 #include "limitcurve/internal/number.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -260,8 +261,12 @@ Numbers of one engine describe one contact; a parameter that comes again begins 
     for (const std::string& text : readings_) append_numbers(text, numbers);
     std::vector<engines::CoefficientMeaning> meanings;
     try {
-      meanings = engines::read_coefficients(
-          numbers, frictions_.empty() ? std::numeric_limits<double>::quiet_NaN() : frictions_.front(), law_);
+      const auto with = [&](double mu) { return engines::read_coefficients(numbers, mu, law_); };
+      const auto size = [](const auto& one) { return std::pair(if_any(one.moment_per_load), if_any(one.radius)); };
+      const double mu = frictions_.empty() ? std::numeric_limits<double>::quiet_NaN() : frictions_.front();
+      meanings = with(mu);
+      results.warn_idle({{"--mu", std::ranges::equal(meanings, with(mu == 1.0 ? 2.0 : 1.0), {}, size, size)}},
+                        "numbers that have their own friction or set no moment");
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(std::string("--read: ") + error.what());
     }

@@ -213,8 +213,8 @@ std::string find_engine(std::string_view name) {
   }
   std::string engines;
   for (const std::string& one : known) engines += (engines.empty() ? "" : ", ") + one;
-  throw std::invalid_argument("unknown engine '" + std::string(name) + "'" +
-                              did_you_mean(name, {known.begin(), known.end()}) + " Known are " + engines);
+  throw std::invalid_argument("unknown engine '" + std::string(name) + "', expected one of " + engines +
+                              did_you_mean(name, {known.begin(), known.end()}));
 }
 
 }  // namespace limitcurve::engines

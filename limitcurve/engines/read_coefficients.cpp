@@ -20,17 +20,28 @@ namespace {
 const Facts& find_coefficient(std::string_view engine, std::string_view parameter) {
   std::vector<std::string> known;
   for (const Facts& facts : all_coefficients()) {
-    const std::vector<std::string> names = words(facts.at("word"));
+    std::vector<std::string> names = words(facts.at("word"));
     if (names.empty() || !serves(facts, engine)) continue;
-    if (parameter == facts.at("parameter") || std::find(names.begin(), names.end(), parameter) != names.end())
-      return facts;
-    if (std::find(known.begin(), known.end(), names.front()) == known.end()) known.push_back(names.front());
+    names.push_back(facts.at("parameter"));
+    if (std::find(names.begin(), names.end(), parameter) != names.end()) return facts;
+    for (std::string& one : names)
+      if (std::find(known.begin(), known.end(), one) == known.end()) known.push_back(std::move(one));
   }
   std::string expected;
-  for (const std::string& one : known) expected += " " + one;
+  for (const std::string& one : known) expected += (expected.empty() ? "" : ", ") + one;
   throw std::invalid_argument(std::string(engine) + " has no parameter '" + std::string(parameter) +
-                              "', expected one of" + expected + " or the engine's own name" +
-                              did_you_mean(parameter, {known.begin(), known.end()}));
+                              "', expected one of " + expected + did_you_mean(parameter, {known.begin(), known.end()}));
+}
+
+/// The engine's name; throws also for its own spelling of a parameter, without the engine.
+std::string engine_of(const EngineNumber& number) {
+  const std::string own = number.engine + "." + number.parameter;
+  for (const Facts& facts : all_coefficients()) {
+    if (facts.at("parameter") == own)
+      throw std::invalid_argument("'" + own + "' needs its engine before it, as in " +
+                                  words(facts.at("engine")).front() + "." + own);
+  }
+  return find_engine(number.engine);
 }
 
 /// Whether a number limits the force.
@@ -102,7 +113,7 @@ std::vector<CoefficientMeaning> read_coefficients(std::span<const EngineNumber> 
   std::vector<ContactNumbers> contacts;
   std::map<std::string, std::size_t> latest;  // contact of each engine
   for (const EngineNumber& number : numbers) {
-    const std::string engine = find_engine(number.engine);
+    const std::string engine = engine_of(number);
     const Facts& row = find_coefficient(engine, number.parameter);
     if (!(number.value >= 0.0) || std::isinf(number.value)) {
       throw out_of_range(engine + "." + number.parameter, number.value, row.at("unit"), ">= 0 and finite");

@@ -112,7 +112,10 @@ class Translate(CommandLineTest):
         self.assertEqual([(row["engine"], row["radius"]) for row in both], [("dart", ""), ("ode", 0.006)])
 
     def test_names_and_attributes_as_they_stand_in_files(self):
-        found = rows("translate", "--law", "uniform", "--read", "mujoco.friction=1.5 0.006 0.0002")  # friction and all
+        call = ["translate", "--law", "uniform", "--read", "mujoco.friction=1.5 0.006 0.0002"]  # friction and all
+        found = rows(*call)
+        self.assertIn("--mu has no effect", run(*call, "--mu", "0.5").stderr)
+        self.assertEqual(run(*call[:4], "isaac.min_patch_radius=1", "--mu", "1").stderr, "")  # it counts: no warning
         self.assertEqual([(row["value"], row["moment_per_load"]) for row in found], [(1.5, ""), (0.006, 0.006),
                                                                                      (0.0002, "")])
 
