@@ -50,6 +50,9 @@ SignedNoise remove_noise(std::vector<double>& pressures, std::span<const double>
     largest = std::max(largest, pressures[i]);
   }
   if (!pressures.empty()) noise.least = std::min(0.0, pressures[noise.place]);
+  if (noise.least < 0.0 && largest == 0.0)
+    throw std::invalid_argument(name_of(noise.place) + ": a pressure of " + format_number(noise.least) +
+                                ", and none is positive; is the sign reversed?");
   noise.floor = floor.value_or(-width * noise.least);
   if (!floor && -noise.least > most_negative * largest && largest > 0.0) {
     throw std::invalid_argument(name_of(noise.place) + ": a pressure of " + format_number(noise.least) +

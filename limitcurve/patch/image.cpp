@@ -216,15 +216,43 @@ struct Image final : Shape {
   [[nodiscard]] std::vector<std::string> remarks() const override { return notes; }
 };
 
-/// What the outer ring, a tenth of each side, says if it carries more than a hundredth of the moment: clean images of a
-/// contact carry nothing there, but noise without negative values, or an offset, has a long lever. A small image has no
-/// ring.
-std::string remark_on_ring(const std::vector<double>& pressures, std::size_t columns, double width, double height) {
+/// Whether pixel i is in the outer ring, a tenth of each side. A small image has none.
+bool in_ring(std::size_t i, std::size_t columns, std::size_t rows) {
   constexpr std::size_t fewest = 8;
+  const auto is_outside = [](std::size_t place, std::size_t count) {
+    return std::min(place, count - 1 - place) < std::max<std::size_t>(1, count / 10);
+  };
+  return rows >= fewest && columns >= fewest && (is_outside(i % columns, columns) || is_outside(i / columns, rows));
+}
+
+/// What is said if the outer ring is flat above 0, as by an offset of the sensor: its standard deviation is at most a
+/// tenth of its level, and of what the highest pixel has more. A contact that the image cuts off varies more.
+std::string remark_on_offset(const std::vector<double>& pressures, std::size_t columns) {
+  constexpr double least = 0.01;
+  constexpr double flat = 0.1;
+  double count = 0.0;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < pressures.size(); ++i) {
+    if (!in_ring(i, columns, pressures.size() / columns)) continue;
+    ++count;
+    sum += pressures[i];
+    squares += pressures[i] * pressures[i];
+  }
+  const double level = sum / count;
+  const double above = *std::max_element(pressures.begin(), pressures.end()) - level;
+  const double most = flat * std::min(level, above);
+  if (!(level > least * above && squares / count - level * level <= most * most)) return {};
+  return "the outer tenth of the image is flat at " + format_number(level, 5) +
+         ": if that is an offset of the sensor, subtract it from all pixels, because floor=P does not";
+}
+
+/// What the outer ring says if it carries more than a hundredth of the moment: clean images of a contact carry nothing
+/// there, but noise without negative values has a long lever.
+std::string remark_on_ring(const std::vector<double>& pressures, std::size_t columns, double width, double height) {
   constexpr double most = 0.01;
   constexpr double cut_off = 0.2;
   const std::size_t rows = pressures.size() / columns;
-  if (rows < fewest || columns < fewest) return {};
   const auto x_of = [&](std::size_t i) { return static_cast<double>(i % columns) * width; };
   const auto y_of = [&](std::size_t i) { return static_cast<double>(i / columns) * height; };
   double load = 0.0;
@@ -241,10 +269,7 @@ std::string remark_on_ring(const std::vector<double>& pressures, std::size_t col
   for (std::size_t i = 0; i < pressures.size(); ++i) {
     const double moment = pressures[i] * std::hypot(x_of(i) - mean_x / load, y_of(i) - mean_y / load);
     all += moment;
-    const auto in_ring = [](std::size_t place, std::size_t count) {
-      return std::min(place, count - 1 - place) < std::max<std::size_t>(1, count / 10);
-    };
-    if (!in_ring(i % columns, columns) && !in_ring(i / columns, rows)) continue;
+    if (!in_ring(i, columns, rows)) continue;
     outside += moment;
     highest = std::max(highest, pressures[i]);
   }
@@ -275,6 +300,7 @@ std::shared_ptr<Shape> make_image(std::vector<double> pressures, std::size_t col
       throw std::invalid_argument(place(i) + ": " +
                                   out_of_range("pressure", pressures[i], "1", "a finite number").what());
   }
+  std::string ring = remark_on_offset(pressures, columns);
   const SignedNoise noise = remove_noise(pressures, std::vector<double>(pressures.size(), 1.0), place, floor);
   const double highest = *std::max_element(pressures.begin(), pressures.end());
   if (highest == 0.0) {
@@ -287,7 +313,7 @@ std::shared_ptr<Shape> make_image(std::vector<double> pressures, std::size_t col
   for (const double pressure : pressures) loads.push_back(static_cast<double>(Extended(pressure) / highest / total));
   std::vector<std::string> notes;
   if (noise.zeroed > 0) notes.push_back("note: " + noise.text());
-  const std::string ring = remark_on_ring(pressures, columns, width, height);
+  if (ring.empty()) ring = remark_on_ring(pressures, columns, width, height);
   if (!ring.empty()) notes.push_back("warning: " + ring);
   return std::make_shared<Image>(std::move(loads), columns, width, height, std::move(notes));
 }

@@ -91,5 +91,27 @@ TEST(PatchImage, NegativePressuresAreNoiseThatTellsItsOwnSize) {
   EXPECT_THROW(Patch::image(noisy, 8, 1e-3, 1e-3, -0.02), std::invalid_argument);
 }
 
+TEST(PatchImage, AnOffsetIsToldFromNoiseAndFromAContactThatIsCutOff) {
+  // Counts of a taxel array.
+  std::mt19937 bits(4);
+  std::normal_distribution<double> noise;
+  const auto told = [&](double offset, double sigma, double radius, double floor, const char* what) {
+    std::vector<double> counts;
+    for (int i = 0; i < 32 * 32; ++i) {
+      const double square = (std::pow(i % 32 - 15.5, 2) + std::pow(i / 32 - 15.5, 2)) / (radius * radius);
+      const double pressure = 3000.0 * std::sqrt(std::max(0.0, 1.0 - square));
+      counts.push_back(std::max(0.0, std::round(offset + pressure + sigma * noise(bits))));
+    }
+    const std::vector<std::string> remarks = Patch::image(counts, 32, 1e-3, 1e-3, floor).remarks();
+    expect_mention(remarks.empty() ? "none" : remarks.back(), what);
+  };
+  for (const double offset : {100.0, 500.0, 1500.0, 8000.0, 60000.0}) {
+    told(offset, 5.0, 10.0, 0.0, "subtract it from all pixels");
+    told(offset, 5.0, 10.0, offset + 20.0, "subtract it from all pixels");
+  }
+  told(0.0, 60.0, 10.0, 0.0, "set floor=");
+  for (const double radius : {18.0, 30.0, 100.0}) told(0.0, 5.0, radius, 0.0, "cut off?");
+}
+
 }  // namespace
 }  // namespace limitcurve::test

@@ -31,6 +31,7 @@ TEST(PatchInput, BadOnesAreNamed) {
   polygon("size = 1e-101 m", {{0, 0}, {1e-101, 0}, {0, 1e-101}});
   image("row 2, column 2: pressure = nan", {1, 2, 3, nan});
   image("row 1, column 2: a pressure of -2", {1, -2, 3, 1});
+  image("row 1, column 2: a pressure of -2, and none is positive", {-1, -2, 0, -1});
   image("all 2 pixels have pressure 0", {0, 0});
   refused("x = 0 m", [] { Patch::rectangle(0.0, 1.0); });
   refused("y = nan m", [] { Patch::rectangle(1.0, nan); });
