@@ -423,26 +423,35 @@ PatchTable PatchTable::build(const Patch& patch, double tolerance, std::string_v
   contents.moment_ratio = shape.moment_ratio;
   contents.factors = patch.factors();
   constexpr double margin = 1.05;
-  constexpr int large = 128;  // tables of this size are searched whole, for the message
-  double finest = infinity;
-  for (const int n : cells_of_a_side) {
-    if (!(shape.moment_ratio > 0.0)) break;
+  const auto made = [&](int n, double enough) {
     Grid grid(shape, n);
     contents.cells = n;
     contents.own_error = grid.own_error();
     contents.nodes = std::move(grid).nodes();
     auto cube = std::make_shared<Cube>(contents);
-    const double enough = n >= large ? infinity : tolerance / cube->stretch() / margin;
-    const double found = margin * cube->stretch() * cube->largest_error(shape, enough);
-    cube->facts.checked_error = found;
-    if (found <= tolerance) return PatchTable(std::move(cube));
-    if (n >= large) finest = std::min(finest, found);
+    const double factor = margin * cube->stretch();
+    cube->facts.checked_error = factor * cube->largest_error(shape, enough / factor);
+    return cube;
+  };
+  double finest = infinity;
+  int cells = 0;
+  if (shape.moment_ratio > 0.0) {
+    for (const int n : cells_of_a_side) {
+      if (auto cube = made(n, tolerance); cube->facts.checked_error <= tolerance) return PatchTable(std::move(cube));
+    }
+    for (auto n = cells_of_a_side.rbegin(); n != cells_of_a_side.rend(); ++n) {
+      const double found = made(*n, finest)->facts.checked_error;
+      if (found < finest) finest = found, cells = *n;
+    }
   }
   constexpr double rounding = 1.006;  // to three digits
-  throw out_of_range("tolerance", tolerance, "1",
-                     finest <= most ? format_number(rounding * finest, 3) + " or more for " + contents.name +
-                                          " in 2 MiB, or use the patch itself"
-                                    : "a patch without kinks. Use " + contents.name + " itself, not a table");
+  throw out_of_range(
+      "tolerance", tolerance, "1",
+      finest <= most
+          ? format_number(rounding * finest, 3) + " or more for " + contents.name +
+                (cells == cells_of_a_side.back() ? " in 2 MiB" : ", whose kinks or coarse pixels allow no less") +
+                ", or use the patch itself"
+          : "a patch without kinks. Use " + contents.name + " itself, not a table");
 }
 
 const std::string& PatchTable::name() const noexcept {

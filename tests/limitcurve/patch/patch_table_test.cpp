@@ -173,10 +173,14 @@ TEST(PatchTable, RefusesPointsAndToleranceByName) {
   EXPECT_THROW((void)PatchTable::build(Patch::rectangle(1, 1), 0.2), std::invalid_argument);
   EXPECT_THROW((void)PatchTable::build(Patch::rectangle(1, 1), test::nan), std::invalid_argument);
   // The tolerance that a refusal names is possible.
-  const Patch slim = Patch::rectangle(0.1, 0.01);
-  const double named = named_tolerance(slim, 2e-5);
-  EXPECT_GT(named, 2e-5);
-  EXPECT_LE(PatchTable::build(slim, named).checked_error(), named);
+  const Patch pixel = Patch::image(std::vector{3.0}, 1, 0.001);
+  for (const auto& [patch, tolerance] : {std::pair(Patch::rectangle(0.1, 0.01), 2e-5), {pixel, 5e-3}}) {
+    const double named = named_tolerance(patch, tolerance);
+    EXPECT_GT(named, tolerance);
+    EXPECT_LE(PatchTable::build(patch, named).checked_error(), named);
+  }
+  test::expect_mention(test::complaint([&] { (void)PatchTable::build(pixel, 5e-3); }),
+                       "or coarse pixels allow no less");
 }
 
 TEST(PatchTable, FilesKeepEveryBitAndSayWhereTheyAreWrong) {
