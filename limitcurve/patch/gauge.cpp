@@ -219,10 +219,21 @@ PatchSlip Patch::slip(const PatchWrench& wrench) const {
   constexpr double kink = 1e-9;  // more than the search leaves where H is smooth
   constexpr double near = 1e-6;  // of the radius: beside a point, whose own force has no direction
   const PatchPoint middle = centre();
-  const Search search(*this, about(middle, wrench), 1e-15);
+  const PatchWrench there = about(middle, wrench);
+  const Search search(*this, there, 1e-15);
   const PatchTwist& slip = search.slip;
   const PatchPoint velocity = patch::velocity_at(slip, -middle.x, -middle.y);
   PatchSlip found{{velocity.x, velocity.y, slip.omega}, search.gauge, std::numeric_limits<double>::quiet_NaN()};
+  const auto [vx, vy, omega] = found.twist;
+  const bool is_held = std::isfinite(found.gauge) && (wrench.fx != 0.0 || wrench.fy != 0.0 || wrench.moment != 0.0);
+  if (is_held && !(std::isfinite(vx) && std::isfinite(vy) && std::isfinite(omega))) {
+    constexpr int larger = 256;  // the twist of power 1 overflows
+    const double fx = std::ldexp(wrench.fx, larger);
+    const double fy = std::ldexp(wrench.fy, larger);
+    PatchSlip scaled = this->slip({fx, fy, std::ldexp(there.moment, larger) + (middle.x * fy - middle.y * fx)});
+    scaled.gauge = found.gauge;
+    return scaled;
+  }
   if (std::isnan(slip.vx)) return found;
   const bool spins = moment_ratio_ > 0.0;
   /// A twist's error, but for the force, up to its load, of the point that `bears` under the COR.

@@ -54,8 +54,8 @@ struct PatchFriction {
 
 /// How a patch slips under a wrench.
 struct PatchSlip {
-  PatchTwist
-      twist;  ///< about the origin, of power 1 against the wrench; NaN for wrench 0 and for one that no load holds
+  PatchTwist twist;  ///< about the origin, of power 1 against the wrench, or of less if that overflows; NaN for wrench
+                     ///< 0 and for one that no load holds
   double gauge = 0.0;  ///< of the wrench: 1 on the limit surface
   double error = 0.0;  ///< bound on |ΔF| and |ΔM|/m₀, Δ from wrench/gauge to the twist's wrench and what a point under
                        ///< the COR bears

@@ -180,6 +180,16 @@ TEST_P(EveryPatch, SlipIsTheTwistThatNeedsTheWrench) {
     }
   }
   EXPECT_TRUE(std::isnan(patch.slip({0.0, 0.0, 0.0}).twist.vx));
+  // Against a subnormal moment a twist of power 1 overflows.
+  const PatchWrench spin{0.0, 0.0, 1.0};
+  const PatchWrench subnormal{0.0, 0.0, std::ldexp(1.0, -1060)};
+  EXPECT_NEAR(std::ldexp(patch.gauge(subnormal), 1060) / patch.gauge(spin), 1.0, 1e-3) << name;
+  const PatchTwist usual = patch.slip(spin).twist;
+  const auto [slip, gauge, error] = patch.slip(subnormal);
+  const double scale = usual.omega / slip.omega;
+  EXPECT_LE(size(patch, {scale * slip.vx - usual.vx, scale * slip.vy - usual.vy, 0.0}), 1e-12 * size(patch, usual))
+      << name;
+  EXPECT_LE(error, patch.slip(spin).error + 1e-15) << name;
 }
 
 // A push through the centre of pressure slides, whatever the shape; a wrench and its opposite slip in opposite ways.
