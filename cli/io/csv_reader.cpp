@@ -47,9 +47,10 @@ std::uintmax_t size_of(const std::string& file) {
 /// The beginning of a text, made printable, for an error message.
 std::string excerpt(std::string_view text) {
   constexpr std::size_t most = 60;
-  std::string shown(text.substr(0, most));
-  for (char& character : shown) {
-    if (static_cast<unsigned char>(character) < 0x20 || character == 0x7f) character = '?';
+  std::string shown;
+  for (const char character : text.substr(0, most)) {
+    const bool is_control = static_cast<unsigned char>(character) < 0x20 || character == 0x7f;
+    shown += character == '\t' ? "\\t" : std::string(1, is_control ? '?' : character);
   }
   return text.size() <= most ? shown : shown + "…";
 }

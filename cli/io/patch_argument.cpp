@@ -57,6 +57,9 @@ void read_columns(PatchArgument& patch, const std::vector<std::string>& columns)
   CsvReader reader(patch.file, columns);
   patch.columns = columns.size();
   while (reader.next()) {
+    if (patch.kind == "polygon" && reader.blank_lines() > 0)
+      throw reader.complaint_at(
+          0, "a vertex after a blank line, expected one ring; for holes or several parts use image:");
     for (std::size_t i = 0; i < columns.size(); ++i)
       patch.numbers.push_back(reader.number(i, columns[i] == "load" ? non_negative : finite));
   }
@@ -222,7 +225,7 @@ void read_pixels(PatchArgument& patch, ImageFile of) {
   if (texts > 0) patch.notes.push_back(std::to_string(texts) + (texts == 1 ? " row" : " rows") + " of text skipped");
   if (patch.numbers.empty())
     throw std::invalid_argument(patch.file + ": no frame " + format_number(of.frame.value_or(1.0)) + " of " +
-                                std::to_string(row));
+                                std::to_string(row) + ", counted from 1");
 }
 
 /// `0.0005`, or `0.004x0.005`: along x and along y.
@@ -271,7 +274,8 @@ PatchArgument parse(std::string_view kind, std::string_view rest) {
     if (rim > 0.0) patch.law += ",rim=" + format_number(rim);
     with_prefix("'law' in '" + std::string(rest) + "': ", [&] { return read_law(patch.law, patch.profile); });
   } else if (kind == "table") {
-    patch.file = rest;
+    patch.file = split_file(kind, rest, items);
+    read_key_values(items, with_factors({}, patch));
     patch.table = read_patch_table(patch.file);
   } else {
     refuse_kind(kind, ':' + std::string(rest));

@@ -80,7 +80,8 @@ void check_simple(std::span<const PatchPoint> vertices) {
     const bool neighbours = (i + 1) % count == j || (j + 1) % count == i;
     if (neighbours || !meet(vertex(i), vertex(i + 1), vertex(j), vertex(j + 1))) return;
     throw std::invalid_argument(edge_name(std::min(i, j), count) + " meets " + edge_name(std::max(i, j), count) +
-                                ", expected a polygon that does not meet itself");
+                                ", expected one ring that does not meet itself; for holes or several parts use an "
+                                "image");
   };
   struct Event {
     PatchPoint at;

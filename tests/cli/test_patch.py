@@ -68,6 +68,7 @@ class Patch(PatchCase):
             self.assertEqual(run("patch", "--patch", f"image:{image}", "--twists", twists).stderr, "")
         for wrong, told in (("columns=32", "a second frame, expected frame=N"), ("columns=32,frame=3",
                                                                                  "no frame 3 of 2"),
+                            ("columns=32,frame=0", "no frame 0 of 2, counted from 1"),
                             ("columns=31,frame=1", "a row of 384 pixels"), ("columns=384,frame=1", "of several rows"),
                             ("columns=1.5", "whole number"), ("frame=1", "only with columns=N")):
             self.refused(f"image:{log},pixel=0.002,{wrong}", told)
@@ -89,6 +90,7 @@ class Patch(PatchCase):
         self.assertEqual(*found)
         for one, other in zip(self.wrenches(pad, *twists), found[0], strict=True):
             self.assertAlmostEqual(one["fx"], other["fx"], delta=made["checked_error"])
+        self.refused(f"table:{file},mx=1.2", "make a table of a patch that has them")
         self.refused(f"table:{self.file('cut.csv', (self.directory / 'pad.csv').read_bytes()[:-9])}", "cut.csv:")
 
     def test_half_spaces(self):
@@ -158,7 +160,7 @@ class Patch(PatchCase):
     def test_files_with_bom_crlf_comments_quotes_and_other_columns(self):
         plain = self.file("plain.csv", "x,y\n0,0\n2,0\n0,1\n")
         odd = self.file("odd, name.csv",
-                        b'\xef\xbb\xbf# corners\r\n"y",note,x\r\n0,a,0\r\n\r\n0,"b, c",2\r\n1,c,0\r\n0,a,0\r\n')
+                        b'\xef\xbb\xbf# corners\r\n"y",note,x\r\n\r\n0,a,0\r\n0,"b, c",2\r\n1,c,0\r\n0,a,0\r\n\r\n')
         self.assertEqual(self.wrenches(f"polygon:{plain}", (1.0, 0.2, 0.3)),
                          self.wrenches(f"polygon:{odd}", (1.0, 0.2, 0.3)))
         image = self.file("image.csv", b"\xef\xbb\xbf1, 2\r\n\r\n3,4\r\n")
