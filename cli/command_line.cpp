@@ -160,6 +160,15 @@ std::string missing_options(const std::vector<Entry>& entries) {
   return names.empty() ? names : names + (count == 1 ? " is required" : " are required");
 }
 
+/// The complaint of a library's parameter; by the name of its option if the user gave that.
+std::string as_typed(const std::string& complaint, const std::vector<std::string>& given) {
+  const std::size_t end = std::min({complaint.find(": "), complaint.find(" = "), complaint.size()});
+  std::string option = "--" + complaint.substr(0, end);
+  std::replace(option.begin(), option.end(), '_', '-');
+  const bool is_given = std::find(given.begin(), given.end(), option) != given.end();
+  return is_given ? option + complaint.substr(end) : complaint;
+}
+
 }  // namespace
 
 void Options::value(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take,
@@ -232,7 +241,11 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
     if (results.messages == nullptr) results.messages = &own;
     if (entry.quiet) results.messages->silence();
     results.messages->start(entry.app->get_name());
-    entry.subcommand->run(results);
+    try {
+      entry.subcommand->run(results);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(as_typed(error.what(), results.given));
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace limitcurve::godobject {
@@ -31,8 +32,9 @@ double fraction(double sliding, double sticking) {
 template <class Real>
 void check_projection(const BasicFingerCurve<Real>& curve, Projection projection) {
   if (curve.is_box() && projection != Projection::closest_point)
-    throw std::invalid_argument(
-        "projection: a box goes with closest-point only, which clamps force and moment each on its own");
+    throw std::invalid_argument("projection: got " + std::string(to_string(projection)) +
+                                ", but a box goes with closest-point only, which clamps force and moment each on its "
+                                "own");
 }
 template void check_projection(const BasicFingerCurve<double>& curve, Projection projection);
 template void check_projection(const BasicFingerCurve<float>& curve, Projection projection);

@@ -9,8 +9,8 @@
 #include "soft_finger.hpp"                   // IWYU pragma: export
 #include "surface.hpp"                       // IWYU pragma: export
 
-/// The soft-finger god-object. Start here: this file includes what a control loop needs. Bodies (body/) and scenes
-/// (scene/) have headers of their own.
+/// The soft-finger god-object. Start here: this file includes what a control loop needs to touch a plane or contacts
+/// that you pass. Bodies (body/), scenes (scene/) and more surfaces (surfaces/) have headers of their own.
 ///
 /// ```cpp
 /// #include "godobject/godobject.hpp"
@@ -35,8 +35,8 @@
 ///  - FingerParameters (finger.hpp): friction, contact radius a(P), springs, dampers;
 ///  - a Projection: closest_point settles at eq. (17)'s wrench if the slide keeps its direction; radial and c_curve are
 ///  the paper's (§5).
-/// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, or your own: surface.hpp), or a Contact that
-/// other code has found, in the frame of the touched body (BodyPose).
+/// `update` takes an AnySurface (plane, or yours by surface.hpp; sphere, capsule, cylinder, box by
+/// surfaces/surfaces.hpp), or a Contact that other code has found, in the frame of the touched body (BodyPose).
 ///
 /// A SoftFinger can also take a Patch, a contact that is not round. Batch and FloatBatch step thousands of contacts in
 /// a single call (batch/batch.hpp). apply_friction is the friction step alone, for simulators with their own springs

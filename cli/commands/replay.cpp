@@ -92,6 +92,11 @@ struct Refused {
   double after = 0.0;  ///< … and of the sample before it
 };
 
+/// Whether a fault is one of all fingers.
+bool is_of_all(godobject::Fault fault) {
+  return fault == godobject::Fault::time_step || fault == godobject::Fault::body || fault == godobject::Fault::force;
+}
+
 /// A row of the trace.
 struct Sample {
   double time;
@@ -150,7 +155,7 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
         "b=NUMBER[,b_r=NUMBER][,T=SECONDS][,delay=SAMPLES]: reject gains that are not passive on a device with this "
         "damping [N s/m, "
-        "N m s/rad], sample time (default: each step of the trace) and delay (default 0; most devices: 1)",
+        "N m s/rad], sample time (default: each step of the trace up to 1 s) and delay (default 0; most devices: 1)",
         Presence::optional);
     options.flag("--details", details_, "Add columns for a controller: " + details_text());
     options.rare();
@@ -236,20 +241,44 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
   /// Whether the gains must be checked against the steps of the trace, which is read in advance then.
   [[nodiscard]] bool reads_ahead() const { return device_ && sample_time_ == 0.0; }
 
-  /// A step back in time is a gap: the sample is refused.
-  void check_gains(const std::vector<Sample>& samples) const {
+  /// Checks the steps that the replay makes. The finger's parameters are good.
+  void check_gains(const std::vector<Sample>& samples, Messages& messages) const {
+    godobject::SampleClock clock;
     std::vector<double> steps;
-    for (std::size_t i = 1; i < samples.size(); ++i) {
-      const double step = samples[i].time - samples[i - 1].time;
-      steps.push_back(step > 0.0 && step <= godobject::Replay::longest_step ? step
-                                                                            : std::numeric_limits<double>::infinity());
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 0.0;
+    double end_of_longest = 0.0;
+    std::size_t gaps = 0;
+    for (const Sample& sample : samples) {
+      const double step = clock.step(sample.time);
+      if (!(step > 0.0)) continue;  // the first sample, or a refused one
+      const bool is_gap = step > godobject::Replay::longest_step;
+      steps.push_back(is_gap ? std::numeric_limits<double>::infinity() : step);
+      gaps += is_gap;
+      if (is_gap) continue;
+      shortest = std::min(shortest, step);
+      if (step <= longest) continue;
+      longest = step;
+      end_of_longest = sample.time;
     }
-    if (std::all_of(steps.begin(), steps.end(), [](double step) { return std::isinf(step); }))
+    if (longest == 0.0)
       throw std::invalid_argument("--check-gains: the trace has no time steps up to 1 s: add T=SECONDS");
-    godobject::require_passive(replay_.finger, steps, *device_, delay_);
+    try {
+      godobject::require_passive(replay_.finger, steps, *device_, delay_);
+    } catch (const std::invalid_argument& error) {
+      if (longest < 1.01 * shortest) throw;  // even steps, but for their rounding
+      throw std::invalid_argument(std::string(error.what()) + "; the longest step ends at " +
+                                  format_number(end_of_longest) + " s");
+    }
+    if (gaps > 0) {
+      messages.say("limitcurve: note: --check-gains: " + std::to_string(gaps) +
+                   (gaps == 1 ? " step of more than 1 s is" : " steps of more than 1 s are") + " not checked");
+    }
   }
 
-  static void note_missing_twists(Messages& messages, const TraceReader& trace) {
+  static void note_columns(Messages& messages, const TraceReader& trace) {
+    if (const std::string unread = trace.unread(); !unread.empty())
+      messages.say("limitcurve: note: columns of the trace that are not read: " + unread);
     for (const std::string& column : trace.missing_twists()) {
       messages.say("limitcurve: note: the trace has no column '" + column + "': this finger does not twist");
     }
@@ -257,28 +286,28 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
 
   void run_replay(const Results& results, const ColumnList<SceneContact>& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed, columns_);
-    note_missing_twists(*results.messages, trace);
+    note_columns(*results.messages, trace);
     results.messages->say(surface_.notes);
     const bool is_free = replay_.motion == BodyMotion::free;
-    double last = std::numeric_limits<double>::infinity();
+    godobject::Replay replay(replay_);
+    godobject::SampleClock clock;
+    std::vector<Sample> ahead;
     const auto next = [&] {
       if (!trace.next()) return false;
-      const double step = trace.time() - std::exchange(last, trace.time());
+      const double step = clock.step(trace.time());
       if (is_free && step > godobject::Replay::longest_step) {
         throw trace.complaint("a gap of " + format_number(step) + " s, expected at most " +
                               format_number(godobject::Replay::longest_step) + " s for a free body");
       }
-      if (reads_ahead() && step == 0.0)
+      if (!ahead.empty() && step == 0.0)
         throw trace.complaint(
             "--check-gains: the time of the last sample again: add T=SECONDS, the device's sample time");
       return true;
     };
-    std::vector<Sample> ahead;
     while (reads_ahead() && next()) ahead.push_back({trace.time(), trace.fingers(), trace.body()});
-    if (reads_ahead()) check_gains(ahead);
+    if (reads_ahead()) check_gains(ahead, *results.messages);
     if (device_ && std::isinf(device_->twist))
       results.messages->say("limitcurve: note: --check-gains: without b_r the twist is not checked");
-    godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact && !replay_.patch) {
       std::string text = "limitcurve: exact: a table with an error of at most " +
                          format_number(replay.curve_error(), 3) + " in unit wrenches";
@@ -296,7 +325,7 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
     if (is_free) names.insert(names.end(), {"bx", "by", "bz", "bqw", "bqx", "bqy", "bqz"});
     Rows rows(results, names);
     std::array loads{std::numeric_limits<double>::infinity(), 0.0};
-    std::map<godobject::Fault, Refused> refused;
+    std::map<std::pair<godobject::Fault, std::size_t>, Refused> refused;
     double before = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; reads_ahead() ? i < ahead.size() : next(); ++i) {
       if (trace.share()) results.messages->progress(*trace.share());
@@ -310,12 +339,14 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
       }
       rows.row_by([&](const auto& cell) {
         cell(sample.time);
-        for (const SceneContact& contact : replay.contacts()) {
+        for (std::size_t finger = 0; finger < fingers_; ++finger) {
+          const SceneContact& contact = replay.contacts()[finger];
           cell(godobject::to_string(contact.state));
           columns.cells(contact, cell);
-          if (contact.fault != godobject::Fault::none && refused[contact.fault].count++ == 0)
-            refused[contact.fault] = {1, sample.time, before};
           if (contact.load > 0.0) loads = {std::min(loads[0], contact.load), std::max(loads[1], contact.load)};
+          if (contact.fault == godobject::Fault::none || (finger > 0 && is_of_all(contact.fault))) continue;
+          if (Refused& reason = refused[{contact.fault, finger}]; reason.count++ == 0)
+            reason = {1, sample.time, before};
         }
         if (!is_free) return;
         for (const double place : replay.body().position) cell(place);
@@ -325,9 +356,12 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
       before = sample.time;
     }
     rows.finish();
-    for (const auto& [fault, samples] : refused) {
+    for (const auto& [reason, samples] : refused) {
+      const auto [fault, finger] = reason;
       results.messages->say(
-          "limitcurve: note: " + std::to_string(samples.count) + (samples.count == 1 ? " sample" : " samples") +
+          "limitcurve: note: " +
+          (fingers_ == 1 || is_of_all(fault) ? "" : "finger " + std::to_string(finger + 1) + ": ") +
+          std::to_string(samples.count) + (samples.count == 1 ? " sample" : " samples") +
           (samples.count == 1 ? " is" : " are") + " invalid, the first at " + format_number(samples.since) +
           " s: " + std::string(to_string(fault)) +
           (fault == godobject::Fault::time_step ? ", after " + format_number(samples.after) + " s" : ""));

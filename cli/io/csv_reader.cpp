@@ -167,6 +167,17 @@ bool CsvReader::next_line() {
   return true;
 }
 
+std::vector<std::string> CsvReader::others() const {
+  std::vector<std::string> names;
+  for (std::size_t place = 0; place < header_.size(); ++place) {
+    const bool is_read = std::any_of(sources_.begin(), sources_.end(), [&](const Source& source) {
+      return std::find(source.places.begin(), source.places.end(), place) != source.places.end();
+    });
+    if (!is_read) names.push_back(header_[place]);
+  }
+  return names;
+}
+
 std::optional<double> CsvReader::share() const {
   if (memory_ != nullptr) return static_cast<double>(rows_) / static_cast<double>(memory_->rows_);
   if (size_ == 0) return std::nullopt;

@@ -54,6 +54,8 @@ class CsvReader {
   [[nodiscard]] std::size_t blank_lines() const { return blank_lines_; }
   /// Whether the file has the i-th column, in the order of the constructor's lists, optional columns last.
   [[nodiscard]] bool has(std::size_t column) const { return places_[column] != missing; }
+  /// Names in the header of which no column is read.
+  [[nodiscard]] std::vector<std::string> others() const;
   /// The field of the current row in the i-th column; of a file only.
   [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[places_[column]].text; }
   /// The same as a number within `range`, in SI units.

@@ -3,6 +3,7 @@
 
 #include "limitcurve/internal/number.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -84,6 +85,32 @@ bool TraceReader::next() {
   body_.position = position(body_column_);
   if (reader_.has(turn)) body_.orientation = orientation(turn);
   return true;
+}
+
+std::string TraceReader::unread() const {
+  std::string text;
+  const auto tell = [&](const std::vector<std::string>& names, const std::string& reason) {
+    for (const std::string& name : names) text += (&name != names.data() ? "," : text.empty() ? "" : "; ") + name;
+    text += " (" + reason + ")";
+  };
+  const std::vector<std::string> others = reader_.others();
+  const auto tell_others = [&](const std::vector<std::string>& names, const std::string& reason) {
+    const bool has_all = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+      return std::find(others.begin(), others.end(), name) != others.end();
+    });
+    if (has_all) tell(names, reason);
+  };
+  for (std::size_t i = 0; i < godobject::Replay::most_fingers; ++i) {
+    const std::string number = suffix(i);
+    const std::size_t twist = first_optional_ + optional_per_finger * i;
+    if (i >= fingers_.size()) {
+      tell_others({"x" + number, "y" + number, "z" + number}, "without --fingers " + number);
+    } else if (reader_.has(twist) && has_all(twist + 1, 4)) {
+      tell({"qw" + number, "qx" + number, "qy" + number, "qz" + number}, "twist" + number + " is read instead");
+    }
+  }
+  if (!body_moves_) tell_others({"bx", "by", "bz"}, "without --body trace");
+  return text;
 }
 
 std::invalid_argument TraceReader::complaint(const std::string& what) const {

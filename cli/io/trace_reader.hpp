@@ -30,6 +30,8 @@ class TraceReader {
   [[nodiscard]] const godobject::BodyPose& body() const { return body_; }
   /// Names "twist", "twist2", … of the fingers for which the trace has neither twist nor orientation.
   [[nodiscard]] const std::vector<std::string>& missing_twists() const { return missing_twists_; }
+  /// The columns that the trace has in vain, with the reason, as in "bx,by,bz (without --body trace)"; empty if none.
+  [[nodiscard]] std::string unread() const;
   /// What is to be asked of the twists so far.
   [[nodiscard]] const UnitChecks& questions() const { return questions_; }
   /// The fraction of the file that has been read, 0 to 1, if its size is known.

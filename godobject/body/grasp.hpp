@@ -43,9 +43,10 @@ class Grasp {
   /// `moment` [N m] about the centre of mass, in world axes, are added to gravity and the fingers' forces. A pose that
   /// is not finite makes its finger `invalid`; the finger then acts with its last force. An invalid time step, or
   /// forces that are not finite or would carry the body beyond `farthest` (its position in m, its velocities in m/s and
-  /// rad/s), move nothing: all fingers are `invalid` and name the fault. Does not throw, allocate or lock. Cost:
-  /// usually 15 to 40 contact queries per finger, for a step in parts some thousands; at most 2 `max_parts` solutions,
-  /// and as many again for each finger that begins to slip, of 2 `iteration_limit` (7 + `halving_limit`) queries each.
+  /// rad/s), move nothing: all fingers are `invalid` and name the fault. If a later part of a step in parts
+  /// fails, the earlier parts stay done. Does not throw, allocate or lock. Cost: usually 15 to 40 contact queries per
+  /// finger, for a step in parts some thousands; at most 2 `max_parts` solutions, and as many again for each finger
+  /// that begins to slip, of 2 `iteration_limit` (7 + `halving_limit`) queries each.
   void step(std::span<const DevicePose> devices, double time_step,
             const Eigen::Vector3d& force = Eigen::Vector3d::Zero(),
             const Eigen::Vector3d& moment = Eigen::Vector3d::Zero()) noexcept;

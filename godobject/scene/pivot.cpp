@@ -49,7 +49,8 @@ void validate(const PivotOptions& options) {
   if (options.duration / options.time_step > 1e9)
     throw out_of_range("time_step", options.time_step, "s", ">= duration/1e9");
   if (!(options.offset >= 0.0 && options.offset < 0.5 * options.length)) {
-    throw out_of_range("offset", options.offset, "m", "0 <= offset < length/2");
+    throw out_of_range("offset", options.offset, "m",
+                       "0 <= offset < length/2 = " + format_number(0.5 * options.length) + " m");
   }
   if (options.grip_operator) {
     if (!options.grip.empty())

@@ -61,18 +61,22 @@ Replay::Replay(const ReplayOptions& options)
       contacts_(options.fingers),
       motion_(options.motion) {}
 
-void Replay::step(double time, std::span<const DevicePose> fingers, const BodyPose& body) noexcept {
-  const bool begins = last_time_ == -std::numeric_limits<double>::infinity();
-  double time_step = begins && std::isfinite(time) ? 0.0 : time - last_time_;
+double SampleClock::step(double time) noexcept {
+  const bool begins = last_ == -std::numeric_limits<double>::infinity();
+  double time_step = begins && std::isfinite(time) ? 0.0 : time - last_;
   // After one time stamp far ahead all others are earlier: the second of them goes on from the first.
-  if (time >= earlier_time_ && time_step < 0.0) time_step = time - earlier_time_;
+  if (time >= earlier_ && time_step < 0.0) time_step = time - earlier_;
   if (is_time_step(time_step)) {
-    last_time_ = time;
-    earlier_time_ = std::numeric_limits<double>::infinity();
+    last_ = time;
+    earlier_ = std::numeric_limits<double>::infinity();
   } else if (std::isfinite(time)) {
-    earlier_time_ = time;
+    earlier_ = time;
   }
-  move(fingers, body, time_step);
+  return time_step;
+}
+
+void Replay::step(double time, std::span<const DevicePose> fingers, const BodyPose& body) noexcept {
+  move(fingers, body, clock_.step(time));
   for (std::size_t i = 0; i < contacts_.size(); ++i) describe(contacts_[i], grasp_.finger(i), grasp_.body());
 }
 

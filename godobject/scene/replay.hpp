@@ -59,6 +59,18 @@ struct ReplayOptions {
   BodyParameters body = {};  ///< of a free body
 };
 
+/// Time steps by the stamps of samples, of which some may be wrong.
+class SampleClock {
+ public:
+  /// The time since the last accepted stamp [s], 0 for the first. It is < 0 or not finite if this stamp is refused. If
+  /// the next stamp then continues from a refused earlier one, the clock accepts that, too.
+  double step(double time) noexcept;
+
+ private:
+  double last_ = -std::numeric_limits<double>::infinity();
+  double earlier_ = std::numeric_limits<double>::infinity();  ///< the last stamp, if it was refused
+};
+
 /// Steps the god-object through a recorded motion of one or several fingers, on a surface that is fixed, prescribed or
 /// free.
 class Replay {
@@ -72,9 +84,8 @@ class Replay {
 
   /// Steps to the next sample: time [s], a pose for each finger (a missing one counts as far away), and the pose of the
   /// body, used if its motion is prescribed. If the time is not finite or earlier than the last, or the body's pose is
-  /// not valid, all fingers are `invalid` and nothing moves. If the next time then continues from the earlier time, the
-  /// replay accepts the earlier time. If a finger's pose is not finite, that finger is `invalid`. `SceneContact::fault`
-  /// names the reason.
+  /// not valid, all fingers are `invalid` and nothing moves; `SampleClock` has the rule. If a finger's pose is not
+  /// finite, that finger is `invalid`. `SceneContact::fault` names the reason.
   void step(double time, std::span<const DevicePose> fingers, const BodyPose& body = {}) noexcept;
 
   /// The current state of each finger.
@@ -95,8 +106,7 @@ class Replay {
   Grasp grasp_;
   std::vector<SceneContact> contacts_;
   BodyMotion motion_;
-  double last_time_ = -std::numeric_limits<double>::infinity();
-  double earlier_time_ = std::numeric_limits<double>::infinity();  ///< of the last sample, if it was refused for it
+  SampleClock clock_;
 };
 
 }  // namespace limitcurve::godobject

@@ -2,6 +2,7 @@
 """replay: the wrench along a trace, other surfaces, bodies and fingers, and files of any form."""
 
 import math
+import re
 import unittest
 
 from command_line import DATA, FINGER, MEASURED, CommandLineTest, header, rows, run
@@ -66,6 +67,15 @@ class Replays(CommandLineTest):
         self.assertEqual(done.stdout, run("replay", "--trace", self.directory / "told.csv", *patch).stdout)
         self.assertIn("no column 'twist'", done.stderr)
 
+    def test_columns_that_are_not_read_are_named_once(self):
+        names, numbers = ",qw,qx,qy,qz,bx,by,bz,x2,y2,z2,x3,y3\n", ",1,0,0,0,0,0,0,0,0,0,0,0\n"
+        text = TRACE.replace("twist\n", "twist" + names).replace(",0\n", ",0" + numbers)
+        done = run("replay", "--trace", self.file("more.csv", text), *FINGER)
+        self.assertEqual(done.stdout, run("replay", "--trace", self.file("trace.csv", TRACE), *FINGER).stdout)
+        self.assertEqual(
+            done.stderr, "limitcurve: note: columns of the trace that are not read: qw,qx,qy,qz (twist is read "
+            "instead); x2,y2,z2 (without --fingers 2); bx,by,bz (without --body trace)\n")
+
     def settled(self, mu_r, *options):
         """Force after 100 mm and 20 rad about a centre of rotation at 5 mm, at 1 N, and standard error."""
         trace = self.trace((i / 1000, 1e-4 * i, 0, -0.001, 0.02 * i) for i in range(1000))
@@ -117,6 +127,10 @@ class Replays(CommandLineTest):
             "speed"
         ])
         self.assertEqual(run("replay", "--quiet", "--trace", self.directory / "trace.csv", *FINGER).stderr, "")
+        # A fault of a finger names it, but one of the time does not.
+        two = bad.replace("x,y,z,twist", "x2,y2,z2,twist2,x,y,z,twist").replace(",0\n", ",0,0,0,-0.001,0\n")
+        said = run("replay", "--fingers", 2, "--trace", self.file("two.csv", two), *FINGER).stderr
+        self.assertEqual(said, re.sub("note: (?!.*time goes)", "note: finger 2: ", done.stderr))
 
     def test_a_leap_may_be_allowed(self):
         leap = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n"
@@ -163,6 +177,11 @@ class Files(CommandLineTest):
         jitter = ["replay", *FINGER, "--units", "time=ms,length=mm", "--damping", "2", "--trace", "-", "--check-gains"]
         for device, status in (("b=15.2", 0), ("b=15", 2), ("b=2.6,T=0.001", 0)):
             self.assertEqual(run(*jitter, device, input=text).returncode, status)
+        # A stamp that goes back is refused, and the step counts from the last good one.
+        for times, told in (([0, 1e-3, 2e-4, 3e-3], "1 sample is invalid"),
+                            ([0, 2, 4, 4.001], "--check-gains: 2 steps of more than 1 s are not checked")):
+            trace = self.trace((time, 0, 0, -0.001, 0) for time in times)
+            self.assertIn(told, self.succeed("replay", "--trace", trace, *FINGER, "--check-gains", "b=1.01").stderr)
 
 
 class Scenes(CommandLineTest):

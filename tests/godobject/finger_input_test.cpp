@@ -229,7 +229,7 @@ TEST(FingerParameters, ABoxGoesWithTheClosestPointOnly) {
   EXPECT_NO_THROW(SoftFinger(limits, parameters(), Projection::closest_point));
   for (const Projection projection : {Projection::radial, Projection::c_curve}) {
     expect_mention(complaint([&] { SoftFinger(limits, parameters(), projection); }),
-                   "projection: a box goes with closest-point only");
+                   "a box goes with closest-point only");
   }
 }
 

@@ -5,7 +5,8 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-/// Tolerance of a wrench relative to the limit: the onset of slip, and rounding of the gauge in the check.
+/// Tolerance of a wrench relative to the limit, near the origin: the onset of slip, and rounding of the gauge in the
+/// check.
 template <class Real>
 constexpr double most_gauge = double{slip_onset<Real>} + 8.0 * std::numeric_limits<Real>::epsilon();
 
@@ -174,6 +175,21 @@ TYPED_TEST(BatchOf, AHeldContactKeepsEveryBit) {
       for (int hold = 0; hold < 8; ++hold) {
         batch.step(result);
         ASSERT_EQ(written(result), held) << with.name << ' ' << far << ' ' << hold;
+      }
+      if (with.with.mu_r) continue;  // its limits are in another unit
+      // The closest point measures the excess beyond its tangent, which is the gauge's but for its square.
+      for (std::size_t i = 0; i < count; ++i) {
+        const double load = with.with.stiffness * double{result.depth[i]};
+        const UnitWrench unit{with.with.mu * load, with.with.mu * load * with.with.radius_law.radius(load)};
+        const double slide = std::fabs(double{result.proxy_x[i]}) + std::fabs(double{result.proxy_y[i]});
+        const double rounding = 0.5 * double{std::numeric_limits<Real>::epsilon()} *
+                                (with.with.stiffness * slide / unit.force +
+                                 with.with.twist_stiffness * std::fabs(double{result.proxy_angle[i]}) /
+                                     (unit.moment * with.curve.moment_ratio()));
+        const double force = std::hypot(double{result.fx[i]}, double{result.fy[i]}) / unit.force;
+        ASSERT_LE(with.curve.gauge({force, std::fabs(double{result.moment[i]}) / unit.moment}),
+                  most_gauge<Real> + rounding * (1.0 + 4.0 * rounding))
+            << with.name << ' ' << far;
       }
     }
   }
