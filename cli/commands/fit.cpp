@@ -111,8 +111,8 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
       say("note", difference > 0.0 ? model + " explains the slips worse than the best law (AIC " +
                                          format_number(difference, 3) + " higher)"
                                    : model + " explains the slips best");
-    if (kind_ != fit::Kind::load && found.model != name())
-      say("note", kind_ == fit::Kind::law && settings_.law == nullptr
+    if (settings_.law == nullptr && kind_ != fit::Kind::load && found.model != name())
+      say("note", kind_ == fit::Kind::law
                       ? "the best law is " + found.model
                       : "the fit assumes the pressure law " + found.model + "; for another, add --law");
     if (!is_friction) describe(found);
@@ -199,7 +199,7 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
     const std::size_t at = text.find(from_one);
     const bool is_file = !data_.empty() && MemoryColumns::find(data_) == nullptr;
     if (is_file && at != std::string::npos)
-      text.replace(text.rfind(" of ", at), at + from_one.size() - text.rfind(" of ", at), " (lines of the file)");
+      text.replace(text.rfind(" of ", at), at + from_one.size() - text.rfind(" of ", at), " (by line of the file)");
     put("use the loss cauchy", "add --loss cauchy");
     put("fit gamma as well", "add --fit-gamma");
     messages_->say("limitcurve: " + std::string(kind) + ": " + text);

@@ -109,13 +109,14 @@ gravity pulls along --down, and the centre of mass is --offset from the origin t
                       static_cast<int>(fingers_ || mass_ || offset_);
     if (given != 1)
       throw std::invalid_argument(std::string(given == 0 ? "say what the contact must carry: " : "give only one of ") +
-                                  "--force and --moment, or --data, or --mass and --offset");
+                                  "--force and --moment, or --data, or --mass, --offset and --fingers");
     columns_.messages = results.messages;
     if (data_.empty() && !columns_.names.empty()) throw std::invalid_argument("--columns needs --data");
     columns_.check_zero();
     if (data_.empty() && columns_.least_load) throw std::invalid_argument("--least-load needs --data");
     if (mass_ && columns_.given())
       throw std::invalid_argument("--units has no effect on --mass and --offset, which are in kg and m: leave it out");
+    if (mass_) questions_.mass_units = "--mass is in kg and --offset in m";
     if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down needs --patch and --mass");
     results.warn_idle({{"--gravity", !fingers_ && !mass_ && !offset_}}, "hold without --mass");
     results.warn_idle({{"--law", patch_.empty() && law_if_needed(nullptr, kind, torsion_.mu_r.has_value()) != nullptr &&

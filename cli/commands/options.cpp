@@ -52,7 +52,8 @@ void Options::file_columns(FileColumns& columns) {
       "--columns", "LIST", [&columns](const std::string& list) { columns.read_names(list); },
       "Columns to read from the file: load=-Fz,force=Fx:Fy,moment=Fx:Fy:Fz:Tx:Ty:Tz reads -Fz as the load, the length "
       "of (Fx, Fy) as the force, and F.T/Fz as the moment, which is about the sensor's z through the contact, wherever "
-      "that is (Tz alone is about the sensor's axis). Put a name with : or , in double quotes",
+      "that is (Tz alone is about the sensor's axis). The third of the six is the load's column. Put a name with : or "
+      ", in double quotes",
       Presence::optional);
   value(
       "--units", "LIST", [&columns](const std::string& list) { columns.read_units(list); },

@@ -58,7 +58,8 @@ std::string excerpt(std::string_view text) {
 /// What the bytes at the beginning of a file say if they are no text in UTF-8; else empty.
 std::string_view other_than_text(std::string_view line) {
   if (line.starts_with("\x93NUMPY")) return "a NumPy file, expected CSV: numpy.savetxt writes it";
-  if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff")) return "a text in UTF-16, expected UTF-8";
+  if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff"))
+    return "a text in UTF-16, expected UTF-8: save it so";
   if (line.starts_with("#ROSBAG"))
     return "a rosbag, expected CSV: 'rostopic echo -b FILE.bag -p /TOPIC > FILE.csv' writes it";
   if (line.starts_with("PK\x03\x04")) return "a spreadsheet or another zip file, expected CSV: export it";
@@ -70,7 +71,7 @@ std::string_view other_than_text(std::string_view line) {
 std::string_view other_separator(std::string_view field) {
   if (field.find(';') != std::string_view::npos)
     return "; it is separated by semicolons: use commas, and points in numbers";
-  if (field.find('\t') != std::string_view::npos) return "; it is separated by tabs: use commas";
+  if (field.find('\t') != std::string_view::npos) return "; it is separated by tabs: use commas, and points in numbers";
   if (field.find(' ') != std::string_view::npos) return "; it is separated by spaces: use commas";
   if (field.find(',') != std::string_view::npos) return "; it has a decimal comma: use a point";
   return {};
@@ -102,6 +103,7 @@ CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns,
       throw complaint_at(0, "an empty file, expected a header line with " + expected_);
     }
     find_header();
+    check_moment();
     std::vector<std::string_view> quantities;
     for (std::size_t i = 0; i < own_.size(); ++i) {
       if (places_[i] != missing) quantities.push_back(FileColumns::quantity_of(own_[i]));
@@ -268,8 +270,9 @@ void CsvReader::take(const FileColumns& file_columns) {
   }
 }
 
-void CsvReader::say(const std::string& note) const {
-  if (file_columns_.messages != nullptr) file_columns_.messages->say("limitcurve: note: " + name_ + ": " + note);
+void CsvReader::say(const std::string& text, const std::string& kind) const {
+  if (file_columns_.messages != nullptr)
+    file_columns_.messages->say("limitcurve: " + kind + ": " + name_ + ": " + text);
 }
 
 /// The first of some lines that has the columns. If none has, the complaint is that of the first.
@@ -312,10 +315,6 @@ void CsvReader::find_sources() {
       const std::string other = stem + static_cast<char>(last + 1);
       if (own == "force" && (last == 'x' || last == 'X') && place_of(other) != missing)
         say("force=" + in_file + " leaves out " + other + "; force=" + in_file + ":" + other + " is their length");
-      const std::string first = stem + static_cast<char>(last - 2);
-      if (own == "moment" && (last == 'z' || last == 'Z') && place_of(first) != missing)
-        say("moment=" + in_file +
-            " is about the sensor's axis; if the contact is elsewhere, name all six: moment=Fx:Fy:Fz:Tx:Ty:Tz");
       continue;
     }
     const FileColumns::Parts parts = FileColumns::parts_of(in_file);
@@ -331,9 +330,7 @@ void CsvReader::find_sources() {
     Source source{{}, parts.turned};
     for (const std::string& name : parts.names) {
       const std::size_t place = place_of(name);
-      if (place == missing)
-        throw complaint_at(0,
-                           "no column '" + name + "', which --columns names; the header is '" + excerpt(line_) + "'");
+      if (place == missing) throw no_named_column(name);
       if (std::find(source.places.begin(), source.places.end(), place) != source.places.end())
         throw std::invalid_argument(got + "each column once");
       source.places.push_back(place);
@@ -344,6 +341,60 @@ void CsvReader::find_sources() {
   }
   for (std::size_t column = 0; column < columns_.size(); ++column) {
     if (places_[column] != missing && sources_[column].places.empty()) sources_[column].places = {places_[column]};
+  }
+}
+
+/// A moment of six columns has the normal force third; one of one column is about the sensor's axis.
+void CsvReader::check_moment() const {
+  std::vector<std::string> moment;
+  std::vector<std::string> forces;
+  std::string load;
+  for (std::size_t column = 0; column < sources_.size(); ++column) {
+    for (const std::size_t place : sources_[column].places) {
+      if (column == load_) load = header_[place];
+      const bool is_force = own_[column].starts_with("force") || own_[column] == "fx" || own_[column] == "fy";
+      if (is_force) forces.push_back(header_[place]);
+      if (own_[column] == "moment") moment.push_back(header_[place]);
+    }
+  }
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  const auto listed = [](const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) {
+      const char* const quote = name.find_first_of(":,") == std::string::npos ? "" : "\"";
+      text.append(text.empty() ? "moment=" : ":").append(quote).append(name).append(quote);
+    }
+    return text;
+  };
+  if (moment.size() == wrench_places) {
+    const auto end = moment.begin() + 3;
+    auto normal = std::find(moment.begin(), end, load);
+    if (normal == end && has(forces, moment[2]))
+      normal = std::find_if(moment.begin(), end, [&](const std::string& name) { return !has(forces, name); });
+    if (normal == end || normal + 1 == end) return;
+    const std::string got = listed(moment);
+    for (const auto first : {moment.begin(), end}) std::rotate(first, first + (normal - moment.begin()) + 1, first + 3);
+    throw std::invalid_argument("--columns: got '" + got + "', expected the load's column third: " + listed(moment));
+  }
+  if (moment.size() != 1 || forces.size() != 2 || forces[0].size() != forces[1].size()) return;
+  // The columns of three axes differ in one character, as Fx, Fy, Fz.
+  const auto with = [](std::string name, std::size_t at, char axis) {
+    name[at] = axis;
+    return name;
+  };
+  const auto at = static_cast<std::size_t>(std::mismatch(forces[0].begin(), forces[0].end(), forces[1].begin()).first -
+                                           forces[0].begin());
+  for (const std::string& normal : header_) {
+    if (has(forces, normal) || normal.size() <= at || with(normal, at, forces[0][at]) != forces[0]) continue;
+    for (std::size_t i = 0; i < moment[0].size(); ++i) {
+      std::vector<std::string> six{forces[0], forces[1], normal};
+      for (std::size_t axis = 0; axis < 3; ++axis) six.push_back(with(moment[0], i, six[axis][at]));
+      if (std::all_of(six.begin(), six.end(), [&](const std::string& name) { return has(header_, name); }))
+        return say(listed(moment) +
+                   " is about the sensor's axis; if the contact is elsewhere, name all six: " + listed(six));
+    }
   }
 }
 
@@ -380,9 +431,9 @@ bool CsvReader::next() {
       continue;
     }
     if (zero_) ++zero_row_;
-    const bool rests = (file_columns_.least_load &&
-                        number(load_, finite) < *file_columns_.least_load * file_columns_.scale("force")) ||
-                       is_without_load();
+    const double least = file_columns_.least_load ? *file_columns_.least_load * file_columns_.scale("force") : 0.0;
+    if (least > 0.0 && number(load_, finite) <= -least) ++other_sign_;
+    const bool rests = (least > 0.0 && number(load_, finite) < least) || is_without_load();
     if (rests) {
       ++left_out_;
       ++resting_;
@@ -394,12 +445,15 @@ bool CsvReader::next() {
     return true;
   }
   const std::string limit =
-      file_columns_.least_load ? "a load below " + format_number(*file_columns_.least_load) : "no load (Fz = 0)";
+      file_columns_.least_load ? "a load below " + format_number(*file_columns_.least_load) : "no normal force";
   if (taken_ == 0) {
-    throw complaint_at(0, left_out_ == rows_
-                              ? "all " + std::to_string(rows_) + " rows have " + limit + ", expected one row or more"
-                              : "no row is left: " + std::to_string(left_out_) + " of " + std::to_string(rows_) +
-                                    " have " + limit + ", the others a blank");
+    throw complaint_at(
+        0, left_out_ == rows_
+               ? "all " + std::to_string(rows_) + " rows have " + limit + ", expected one row or more" +
+                     (other_sign_ > 0 ? "; load=" + other_sign() + " keeps " + std::to_string(other_sign_) + " of them"
+                                      : "")
+               : "no row is left: " + std::to_string(left_out_) + " of " + std::to_string(rows_) + " have " + limit +
+                     ", the others a blank");
   }
   const auto say_left_out = [&](std::size_t& count, const std::string& what) {
     if (count > 0)
@@ -427,8 +481,8 @@ bool CsvReader::is_without_load() {
     const Source& source = sources_[column];
     if (source.places.size() != wrench_places || channel(column, source.places[2], finite) != 0.0) continue;
     if (load_ < columns_.size() && places_[load_] != missing && number(load_, finite) > 0.0)
-      throw complaint(column, "got Fz = 0 and a load of " + format_number(number(load_, finite)) +
-                                  " N, expected Fz of the same contact");
+      throw complaint(column, "got " + header_[source.places[2]] + " = 0 and a load of " +
+                                  format_number(number(load_, finite)) + " N, expected that of the same contact");
     return true;
   }
   return false;
@@ -463,8 +517,35 @@ void CsvReader::learn_zero() {
   const auto place = std::find(channels_.begin(), channels_.end(), places_[load_]) - channels_.begin();
   const std::span<const double> levels = zero_->levels(static_cast<std::size_t>(place));
   const auto [low, high] = std::minmax_element(levels.begin(), levels.end());
-  say("zero: " + std::to_string(zero_->pauses()) + (zero_->pauses() == 1 ? " pause, " : " pauses, ") +
-      header_[places_[load_]] + " " + format_number(*low, 3) + " to " + format_number(*high, 3));
+  const std::string& name = header_[places_[load_]];
+  const double least = *file_columns_.least_load;
+  const auto count = [](std::size_t pauses) { return std::to_string(pauses) + (pauses == 1 ? " pause" : " pauses"); };
+  say("zero: " + count(zero_->pauses()) + ", " + name + " " + format_number(*low, 3) + " to " +
+      format_number(*high, 3));
+  const double closed = sources_[load_].turned ? *high : -*low;  // if the sign is wrong
+  if (closed > least && std::fabs(*std::max_element(loads.begin(), loads.end())) < 0.25 * closed)
+    return say("zero: " + name + " is near 0 in the grips, but not in the pauses. Is the load's sign right (or load=" +
+                   other_sign() + "), or does the sensor carry a weight?",
+               "warning");
+  if (zero_->unsettled() > 0)
+    say("zero: the load changes within " + std::to_string(zero_->unsettled()) + " of " + count(zero_->pauses()) +
+            ", so the zero may be wrong: let the gripper rest for a second between contacts",
+        "warning");
+  std::size_t most = zero_->pauses();
+  double larger = least;
+  if (*high - *low > 0.5 * least) {
+    for (std::size_t found = 0; (found = SensorZero({}, loads, 1.5 * larger).pauses()) > most; larger *= 1.5)
+      most = found;
+  }
+  if (larger > least)
+    say("zero: " + name + " drifts by " + format_number(*high - *low, 3) + ", so pauses may be missed: --least-load " +
+            format_number(larger, 3) + " finds " + std::to_string(most),
+        "warning");
+}
+
+/// What --columns says for the load of the other sign.
+std::string CsvReader::other_sign() const {
+  return (sources_[load_].turned ? "" : "-") + header_[places_[load_]];
 }
 
 double CsvReader::sigma(std::size_t column) const {
@@ -516,12 +597,13 @@ bool CsvReader::next_row() {
   }
   ++rows_;
   if (field_count_ != header_fields_) {
-    throw complaint_at(line_.size(),
-                       "a line of " + std::to_string(field_count_) + (field_count_ == 1 ? " field" : " fields") +
-                           ", got '" + excerpt(line_) + "', expected " + std::to_string(header_fields_) +
-                           (has_header_ ? " as in the header" : " as in the first row") +
-                           (field_count_ == 2 * header_fields_ ? "; are there decimal commas instead of points?"
-                                                               : std::string(other_separator(fields_[0].text))));
+    throw complaint_at(line_.size(), "a line of " + std::to_string(field_count_) +
+                                         (field_count_ == 1 ? " field" : " fields") + ", got '" + excerpt(line_) +
+                                         "', expected " + std::to_string(header_fields_) +
+                                         (has_header_ ? " as in the header" : " as in the first row") +
+                                         (field_count_ > header_fields_ && line_.find('.') == std::string::npos
+                                              ? "; are there decimal commas instead of points?"
+                                              : std::string(other_separator(fields_[0].text))));
   }
   return true;
 }
@@ -584,13 +666,15 @@ double CsvReader::raw_number(std::size_t column, std::size_t place, const Range&
   }
   const std::string& field = fields_[place].text;
   const auto value = parse_number(field);
-  if (value) return *value;
+  if (value && (std::isfinite(*value) || range.contains(*value))) return *value;
   throw complaint(column, "got '" + excerpt(field) + "', expected " + std::string(range.text) +
                               std::string(other_separator(field)));
 }
 
 std::invalid_argument CsvReader::no_named_column(const std::string& column) const {
-  return complaint_at(0, "no column '" + column + "', which --columns names; the header is '" + excerpt(line_) + "'");
+  return complaint_at(0,
+                      "no column '" + column + "', which --columns names; the header is '" + excerpt(line_) + "'" +
+                          (line_.find_first_of(";\t") == std::string::npos ? "" : std::string(other_separator(line_))));
 }
 
 std::invalid_argument CsvReader::no_column(const std::string& column) const {

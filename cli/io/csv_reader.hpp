@@ -109,7 +109,9 @@ class CsvReader {
   [[nodiscard]] std::invalid_argument no_named_column(const std::string& column) const;
   void take_names_in_memory();
   void find_header();
-  void say(const std::string& note) const;
+  void say(const std::string& text, const std::string& kind = "note") const;
+  void check_moment() const;
+  [[nodiscard]] std::string other_sign() const;
   bool next_row();
   bool next_line();
   bool next_meaningful_line();
@@ -149,6 +151,7 @@ class CsvReader {
   FileColumns file_columns_;
   std::size_t load_ = missing;  ///< the column of loads, if it is asked for
   std::size_t left_out_ = 0;    ///< rows below the least load
+  std::size_t other_sign_ = 0;  ///< rows whose load is enough with the other sign
   std::size_t blanks_ = 0;      ///< rows left out for a blank
   std::size_t taken_ = 0;       ///< rows that `next` returned
   std::size_t resting_ = 0;     ///< consecutive rows below the least load

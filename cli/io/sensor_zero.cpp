@@ -31,11 +31,16 @@ double step_of(std::vector<double> values) {
 SensorZero::SensorZero(const std::vector<std::vector<double>>& channels, std::span<const double> loads,
                        double least_load)
     : levels_(channels.size()), sigmas_(channels.size()) {
-  if (loads.empty()) return;
+  if (loads.size() < shortest_pause) return;
   std::vector<double> sorted(loads.begin(), loads.end());
   const auto percentile = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 100);
   std::nth_element(sorted.begin(), percentile, sorted.end());
   const double bound = *percentile + least_load;
+  // Three standard deviations of one row: second differences tell the noise, because a ramp has none.
+  std::vector<double> bends;
+  for (std::size_t i = 2; i < loads.size(); ++i)
+    bends.push_back(std::fabs(loads[i] - 2.0 * loads[i - 1] + loads[i - 2]));
+  const double settled = std::max(3.0 / 0.6745 / std::sqrt(6.0) * middle_of(bends), 0.05 * least_load);
   std::vector<std::vector<double>> resting(channels.size());
   for (std::size_t end = 0, begin = 0; end < loads.size(); begin = end) {
     while (begin < loads.size() && !(loads[begin] < bound)) ++begin;
@@ -46,6 +51,10 @@ SensorZero::SensorZero(const std::vector<std::vector<double>>& channels, std::sp
     const std::size_t first = begin == 0 ? 0 : begin + length / 4;
     const std::size_t last = end == loads.size() ? end : end - length / 4;
     middles_.push_back(0.5 * static_cast<double>(first + last - 1));
+    std::vector<double> changes(loads.begin() + static_cast<std::ptrdiff_t>(first),
+                                loads.begin() + static_cast<std::ptrdiff_t>(last));
+    for (const double level = middle_of(changes); double& load : changes) load = std::fabs(load - level);
+    if (middle_of(changes) > settled) ++unsettled_;
     for (std::size_t i = 0; i < channels.size(); ++i) {
       const std::span<const double> rows = std::span(channels[i]).subspan(first, last - first);
       levels_[i].push_back(middle_of({rows.begin(), rows.end()}));

@@ -20,6 +20,9 @@ class SensorZero {
   SensorZero(const std::vector<std::vector<double>>& channels, std::span<const double> loads, double least_load);
 
   [[nodiscard]] std::size_t pauses() const { return middles_.size(); }
+  /// Those within which the load changes: by more than the noise of the log, and than 5 % of the least load, in half of
+  /// the rows that give the zero.
+  [[nodiscard]] std::size_t unsettled() const { return unsettled_; }
   /// The zero of a channel at a row; of a pause. None of them if there is no pause.
   [[nodiscard]] double at(std::size_t channel, std::size_t row) const;
   [[nodiscard]] std::span<const double> levels(std::size_t channel) const { return levels_[channel]; }
@@ -31,6 +34,7 @@ class SensorZero {
   std::vector<double> middles_;              ///< rows
   std::vector<std::vector<double>> levels_;  ///< of each channel and pause
   std::vector<double> sigmas_;
+  std::size_t unsettled_ = 0;
 };
 
 }  // namespace limitcurve::cli

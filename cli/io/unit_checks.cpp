@@ -19,8 +19,8 @@ void UnitChecks::load(double load) {
   constexpr double most = 1000.0;
   if (load > most && std::isfinite(load))
     note(loads_, [&] {
-      return "a load of " + format_number(load, 6) +
-             " N is unusual for a finger; hold, fit and replay convert millinewtons by --units force=mN";
+      return "a load of " + format_number(load, 6) + " N is unusual for a finger; " +
+             (mass_units.empty() ? "hold, fit and replay convert millinewtons by --units force=mN" : mass_units);
     });
 }
 
@@ -29,7 +29,8 @@ void UnitChecks::wrench(double force, double moment) {
   if (std::fabs(moment) <= large || !(std::fabs(moment) > large * std::fabs(force))) return;
   note(wrenches_, [&] {
     return "a moment of " + format_number(moment, 6) + " N m with a force of " + format_number(force, 6) +
-           " N has an arm of more than 0.2 m; hold and fit convert N mm by --units moment=Nmm";
+           " N has an arm of more than 0.2 m; " +
+           (mass_units.empty() ? "hold and fit convert N mm by --units moment=Nmm" : mass_units);
   });
 }
 
@@ -71,9 +72,8 @@ void UnitChecks::radii(const RadiusLaw& law, std::span<const double> loads) {
     }
   }
   if (radius > largest_radius) {
-    others_.push_back("the radius law gives a contact radius of " + format_number(radius, 6) + " m at " +
-                      format_number(at_load, 6) +
-                      " N: its lengths must be in metres, so that 6 mm are constant:a=0.006");
+    others_.push_back("a contact radius of " + format_number(radius, 6) + " m at " + format_number(at_load, 6) +
+                      " N: --radius-law and --mu-r must be in metres, so that 6 mm are 0.006");
   }
   const auto [first, last] = law.sampled_loads();
   if (least < first || most > last) {

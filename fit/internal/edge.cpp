@@ -445,7 +445,7 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
     const bool is_missing = (i == 0 ? at_limit.slides : at_limit.twists) == 0 || slipped.at(i) < 2;
     if (is_missing) {
       report.warnings.push_back(name + ": no grip of those that reach the limit is a " + (i == 0 ? "slide" : "twist") +
-                                ": this limit is what the wrench reached, a lower bound");
+                                ", so this limit is extrapolated along the curve, and may be far off: add some");
     }
   }
   if (options.fit_gamma) {

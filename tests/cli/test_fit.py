@@ -118,6 +118,8 @@ class Fit(CommandLineTest):
             self.assertIn("pauses, field.wrench.force.z", done.stderr)
             self.assertIn("rows have a blank in a used column, and are left out", done.stderr)
             self.assertNotIn("lower bound", done.stderr)
+            self.assertNotIn("assumes", done.stderr)
+            self.assertNotIn("warning: " + str(data), done.stderr)
         self.assert_fails(2, "needs standard deviations: --zero", "fit", "ratio", *log[:6], *columns, "--loss", "edge",
                           "--quiet")
 
@@ -129,7 +131,7 @@ class Fit(CommandLineTest):
         data = self.file("outliers.csv", "\n".join(lines))
         for model in ("ellipse", "law", "ratio"):
             _, said = self.fitted(model, "--data", data)
-            self.assertIn("warning: rows 5, 18, 31 (lines of the file) lie far off the curve", said)
+            self.assertIn("warning: rows 5, 18, 31 (by line of the file) lie far off the curve", said)
 
     def test_every_row_notes_the_model_and_what_was_assumed(self):
         data = self.growing("uniform")

@@ -2,6 +2,7 @@
 """hold: the least load that bears a force and a moment."""
 
 import math
+import random
 import unittest
 
 from command_line import FINGER, CommandLineTest, rows, run, table
@@ -43,8 +44,34 @@ class Hold(CommandLineTest):
         log = self.file("six.csv", "Fx,Fy,Fz,Tx,Ty,Tz\n1,0,-2,0,0.002,0.003\n0,0,0,1e-5,0,1e-5\n")
         found, = rows("hold", *CONTACT, "--data", log, "--columns", "force=Fx:Fy,moment=Fx:Fy:Fz:Tx:Ty:Tz", "--quiet")
         self.assert_close(abs(found["moment"]), 0.003, 1e-15)
-        done = run("hold", *CONTACT, "--data", log, "--columns", "force=Fx:Fy,moment=Tz")
-        self.assertIn("moment=Tz is about the sensor's axis", done.stderr)
+        for columns, six in (("force=Fx:Fy,moment=Tz", "Fx:Fy:Fz:Tx:Ty:Tz"),
+                             ("load=-Fz,force=Fy:Fx,moment=Ty", "Fy:Fx:Fz:Ty:Tx:Tz"), ("force=Fy:Fz,moment=Tx",
+                                                                                      "Fy:Fz:Fx:Ty:Tz:Tx")):
+            done = run("hold", *CONTACT, "--data", log, "--columns", columns)
+            self.assertRegex(done.stderr, f"{columns[-9:]} is about the sensor's axis.* name all six: moment={six}\n")
+
+    def test_a_zero_that_may_be_wrong_is_warned_of(self):
+        generator = random.Random(8)
+        ramp = [0.12 * i for i in range(26)]
+        for rest, drift, sign, warned in ((15, 0.05, 1, ""), (0, 0, 1, "the load changes within"),
+                                          (15, 1.5, 1, "drifts by .*: --least-load 1.69 finds 13"),
+                                          (15, 0.05, -1, r"Is the load's sign right \(or load=-load\)")):
+            loads = ([0] * rest + ramp[1:] + [3] * 50 + ramp[:0:-1]) * 12 + [0] * rest
+            log = [(round(sign * load + drift * i / len(loads) + generator.gauss(0, 0.005), 3), 0.01, 0.001)
+                   for i, load in enumerate(loads)]
+            data = self.data("load,force,moment", log)
+            said = self.succeed("hold", *CONTACT, "--data", data, "--zero", "--least-load", "0.5").stderr
+            self.assertRegex(said, f"warning: .*{warned}") if warned else self.assertNotIn("warning", said)
+
+    def test_advice_is_about_the_options_that_were_given(self):
+        for given, advice in ((["--mass", "200", "--offset", "0.02"], "--mass is in kg"),
+                              (["--mass", "1", "--offset", "20"], "--offset in m"),
+                              (["--force", "2000", "--moment", "0"], "--units force=mN")):
+            said = self.succeed("hold", *CONTACT, *given).stderr
+            self.assertIn(advice, said)
+            self.assertEqual("--units" in advice, "--units" in said)
+        done = self.succeed("hold", *CONTACT[:2], *CONTACT[4:], "--mu-r", "1.4", "--force", "1", "--moment", "0.01")
+        self.assertIn("--mu-r must be in metres", done.stderr)
 
     def test_logs_with_blanks_units_and_names_of_all_kinds(self):
         text = 't,"Fz, N",s0:F,M\ns,N,N,Nmm\n0,3,1,2\n1,,1,2\n2,4,1,2\n'

@@ -237,7 +237,7 @@ class FitFriction(PatchCase):
                               self.changed(data, lambda i, row: self.reacting(row) if i in against else row))
         done = run("fit", "friction", "--patch", patch, "--data",
                    self.changed(data, lambda i, row: self.reacting(row) if i == 2 else row))
-        self.assertIn("push 4 (lines of the file): negative power, left out", done.stderr)
+        self.assertIn("push 4 (by line of the file): negative power, left out", done.stderr)
         self.assertTrue(done.stdout.splitlines()[1].startswith("mu,4"), done.stdout)
 
     def test_other_units_are_warned_of(self):
