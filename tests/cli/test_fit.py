@@ -117,7 +117,7 @@ class Fit(CommandLineTest):
                 self.assertLess(found[name]["std_error"], 0.03 * true)
             self.assertIn("pauses, field.wrench.force.z", done.stderr)
             self.assertIn("rows have a blank in a used column, and are left out", done.stderr)
-            self.assertNotIn("lower bound", done.stderr)
+            self.assertNotIn("extrapolated", done.stderr)
             self.assertNotIn("assumes", done.stderr)
             self.assertNotIn("warning: " + str(data), done.stderr)
         self.assert_fails(2, "needs standard deviations: --zero", "fit", "ratio", *log[:6], *columns, "--loss", "edge",
