@@ -12,22 +12,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace limitcurve::fit {
 
-namespace {
+using namespace internal;
 
-using internal::ContactLayout;
-using internal::ContactPreparation;
-using internal::is_exact;
-using internal::median_size;
-using internal::Parameter;
-using internal::Solution;
-using internal::UnitCurve;
+namespace {
 
 void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, const ContactFitOptions& options) {
   if (!report.converged) report.warnings.push_back("the minimiser did not converge: " + report.message);
@@ -54,10 +46,10 @@ void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, 
 
 /// Throws if the samples are all about one centre of rotation, for all their noise says: then they give a single point
 /// of the curve, and a spread along it that is noise would be taken for that of slips.
-void refuse_one_centre(const internal::ContactResiduals::Ray& ray, const Solution& solution, double noise,
-                       bool with_sigma, bool robust) {
+void refuse_one_centre(const ContactResiduals::Ray& ray, const Solution& solution, double noise, bool with_sigma,
+                       bool robust) {
   const auto count = static_cast<double>(ray.distances.size());
-  const double size = robust ? 1.4826 * median_size(ray.distances) : internal::root_mean_square(ray.distances);
+  const double size = robust ? 1.4826 * median_size(ray.distances) : root_mean_square(ray.distances);
   const double unknown =
       1.0 / (count - 1.0) + (with_sigma ? 0.0 : 1.0 / (count - static_cast<double>(solution.values.size())));
   // Without sigmas the limits, which such samples do not tell, are the unit of both errors: noise may seem unequal, but
@@ -94,10 +86,10 @@ std::vector<ContactFit::BandPoint> band_of(const UnitCurve& curve, const Contact
     const double t = static_cast<double>(i) / (points - 1);
     const auto [point, tangent] = curve.at(t);
     const double length = std::hypot(tangent.x, tangent.y);
-    const internal::PlanePoint normal{tangent.y / length, -tangent.x / length};
+    const PlanePoint normal{tangent.y / length, -tangent.x / length};
     std::array<double, 4> gradient{normal.x * point.x, normal.y * point.y, 0.0, 0.0};
     if (layout.shape) {
-      const internal::PlanePoint slope = curve.shape_slope(t);
+      const PlanePoint slope = curve.shape_slope(t);
       gradient[2] = normal.x * slope.x + normal.y * slope.y;
     }
     if (layout.gamma) gradient[layout.gamma_place()] = -gradient[1] * log_reference;
@@ -130,7 +122,7 @@ void internal::report_limits(ContactFit& fit, UnitCurve& curve, const ContactLay
   const std::string metre = grows ? "m/N^gamma" : "m";
   const double mu = std::exp(values[0]);
   const double mu_r = std::exp(values[1] - gamma * log_reference);
-  std::vector<internal::Quantity> quantities;
+  std::vector<Quantity> quantities;
   std::vector<double> jacobian;
   using Role = Estimate::Role;
   const auto add = [&](Role role, std::string name, double value, std::string unit, std::array<double, 4> slopes) {
@@ -157,7 +149,7 @@ void internal::report_limits(ContactFit& fit, UnitCurve& curve, const ContactLay
 
 ContactFit internal::fit_prepared(const ContactPreparation& preparation, const ContactModel& model,
                                   const ContactFitOptions& options) {
-  const std::unique_ptr<UnitCurve> curve = internal::make_curve(model);
+  const std::unique_ptr<UnitCurve> curve = make_curve(model);
   const ContactLayout layout{!curve->shape_name().empty(), options.fit_gamma, options.gamma};
   std::vector<Parameter> parameters = internal::free_parameters(*curve, layout, model, preparation.start);
   const std::size_t free = layout.size();
@@ -165,24 +157,23 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   if (count < free || (!preparation.with_sigma && count == free)) {
     std::string names;
     for (const Parameter& parameter : parameters) names += (names.empty() ? "" : ", ") + parameter.name;
-    throw internal::too_few_samples(count, free, names, "sigma_force and sigma_moment");
+    throw too_few_samples(count, free, names, "sigma_force and sigma_moment");
   }
   const bool robust = options.loss.kind != Loss::Kind::squared;
   // To 3 % of a standard error for 100 samples: enough for a first pass.
   constexpr double first_tolerance = 1e-5;
   ContactResiduals residuals(preparation.samples, *curve, layout);
-  const Loss loss = robust ? internal::approach(residuals, parameters, options.loss) : options.loss;
-  Solution solution = internal::minimise(residuals, parameters, loss, first_tolerance);
+  const Loss loss = robust ? approach(residuals, parameters, options.loss) : options.loss;
+  Solution solution = minimise(residuals, parameters, loss, first_tolerance);
   // Second pass, with the drift from the estimated scatter (the sigmas may overstate it).
-  const double scatter =
-      robust ? std::pow(1.4826 * median_size(solution.residuals), 2) : internal::residual_variance(solution);
+  const double scatter = robust ? std::pow(1.4826 * median_size(solution.residuals), 2) : residual_variance(solution);
   const double noise = preparation.with_sigma ? std::min(scatter, 1.0) : scatter;
   residuals.expect_drift(solution.values, noise);
   for (std::size_t j = 0; j < free; ++j) parameters[j].start = solution.values[j];
   const int iterations = solution.iterations;
-  solution = internal::minimise(residuals, parameters, loss);
+  solution = minimise(residuals, parameters, loss);
   solution.iterations += iterations;
-  const double variance = preparation.with_sigma ? 1.0 : robust ? 0.0 : internal::residual_variance(solution);
+  const double variance = preparation.with_sigma ? 1.0 : robust ? 0.0 : residual_variance(solution);
   // A row without force and moment is about no centre, and its distance from the curve would pass for noise.
   double squares = 0.0;
   std::size_t slips = 0;
@@ -203,17 +194,16 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
                                   " %); if the finger held in some rows, use --loss edge");
     }
   }
-  if (layout.gamma) internal::refuse_hidden(parameters.back(), covariance.back());
+  if (layout.gamma) refuse_hidden(parameters.back(), covariance.back());
 
   ContactFit fit{model.name(), {}, solution.residuals, {}, {}};
   if (!preparation.with_sigma && !robust && variance > 0.0) {
     for (double& residual : fit.residuals) residual /= std::sqrt(variance);
   }
-  internal::describe(fit.report, solution);
+  describe(fit.report, solution);
   fit.report.note = internal::note_of(fit.model, options, count - free, preparation.with_sigma);
   fit.report.rms *= preparation.noise;
-  fit.report.aic =
-      internal::akaike(internal::cost_of(solution, options.loss), count, free, preparation.with_sigma || robust);
+  fit.report.aic = akaike(cost_of(solution, options.loss), count, free, preparation.with_sigma || robust);
 
   bool at_bound = false;
   bool hidden = false;
@@ -226,8 +216,8 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   const double shape = layout.shape ? solution.values[2] : 0.0;
   const double gamma = layout.gamma ? solution.values[layout.gamma_place()] : options.gamma;
   warn(fit.report, *curve, model, options);
-  if (layout.gamma) internal::warn_of_end(fit.report, parameters.back(), gamma);
-  internal::warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
+  if (layout.gamma) warn_of_end(fit.report, parameters.back(), gamma);
+  warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
 
   if (at_bound || hidden) {
     // Report nothing rather than a wrong number: the data determine neither the shape nor the quantities that depend on
@@ -262,13 +252,13 @@ std::string ContactModel::name() const {
 }
 
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options) {
-  if (options.loss.kind == Loss::Kind::edge) return internal::fit_edge(samples, model, options);
-  return internal::fit_or_outlive_outliers(options, [&](const ContactFitOptions& with) {
-    return internal::fit_beside_holds(samples, with, [&](std::span<const Sample> some) {
+  if (options.loss.kind == Loss::Kind::edge) return fit_edge(samples, model, options);
+  return fit_or_outlive_outliers(options, [&](const ContactFitOptions& with) {
+    return fit_beside_holds(samples, with, [&](std::span<const Sample> some) {
       const ContactPreparation preparation = internal::prepare(some, with);
       ContactFit fit = internal::fit_prepared(preparation, model, with);
       internal::check_assumptions(fit, some, model, with);
-      internal::test_scatter(fit, some, preparation, with);
+      test_scatter(fit, some, preparation, with);
       return fit;
     });
   });

@@ -10,19 +10,18 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 namespace limitcurve::fit {
 
-namespace {
+using namespace internal;
 
-using internal::CurvePoint;
+namespace {
 
 /// Each residual is a radial error times the point's weight. With the ellipse's gauge γ = √((x/A)² + (y/B)²) of a curve
 /// point (x, y), the radial error is e = 1/γ − 1 and
 ///   ∂e/∂A = x²/(A³γ³),  ∂e/∂B = y²/(B³γ³).
-class EllipseResiduals final : public internal::ResidualModel {
+class EllipseResiduals final : public ResidualModel {
  public:
   explicit EllipseResiduals(const std::vector<CurvePoint>& points) : points_(points) {}
   std::size_t count() const noexcept override { return points_.size(); }
@@ -43,7 +42,7 @@ class EllipseResiduals final : public internal::ResidualModel {
   const std::vector<CurvePoint>& points_;
 };
 
-std::vector<double> residuals_at(const internal::ResidualModel& model, std::span<const double> parameters) {
+std::vector<double> residuals_at(const ResidualModel& model, std::span<const double> parameters) {
   std::vector<double> residuals(model.count());
   for (std::size_t i = 0; i < residuals.size(); ++i) model.evaluate(i, parameters, residuals[i], nullptr);
   return residuals;
@@ -51,8 +50,8 @@ std::vector<double> residuals_at(const internal::ResidualModel& model, std::span
 
 /// Sets the estimates. Their standard errors have no meaning: what the residuals show is the difference of two curves,
 /// not noise.
-void set_estimates(FitReport& report, std::initializer_list<internal::Quantity> quantities) {
-  for (const internal::Quantity& quantity : quantities) {
+void set_estimates(FitReport& report, std::initializer_list<Quantity> quantities) {
+  for (const Quantity& quantity : quantities) {
     report.estimates.push_back(
         {quantity.name, quantity.value, std::numeric_limits<double>::quiet_NaN(), quantity.unit});
   }
@@ -60,11 +59,11 @@ void set_estimates(FitReport& report, std::initializer_list<internal::Quantity> 
 }
 
 /// The report of parameters in closed form.
-FitReport direct_report(const internal::ResidualModel& model, std::span<const double> parameters, const char* message) {
+FitReport direct_report(const ResidualModel& model, std::span<const double> parameters, const char* message) {
   FitReport report;
   const std::vector<double> residuals = residuals_at(model, parameters);
   report.residuals = residuals.size();
-  report.rms = internal::root_mean_square(residuals);
+  report.rms = root_mean_square(residuals);
   report.converged = true;
   report.message = message;
   return report;
@@ -77,7 +76,7 @@ std::string note_of(const Law& law, Criterion criterion) {
 }  // namespace
 
 CurveFit fit_ellipse(const Law& law, Criterion criterion, std::size_t points) {
-  const std::vector<CurvePoint> curve = internal::curve_points(*law, points);
+  const std::vector<CurvePoint> curve = curve_points(*law, points);
   const EllipseResiduals model(curve);
   const ExactCurve exact(law);
   const double moment_ratio = exact.moment_ratio();
@@ -88,11 +87,10 @@ CurveFit fit_ellipse(const Law& law, Criterion criterion, std::size_t points) {
     case Criterion::intercepts:
       break;
     case Criterion::least_squares: {
-      const std::array<internal::Parameter, 2> parameters{
-          {{"force_max", 1.0, 0.1, 10.0}, {"moment_max", 1.0, 0.1, 10.0}}};
-      const internal::Solution solution = internal::minimise(model, parameters);
+      const std::array<Parameter, 2> parameters{{{"force_max", 1.0, 0.1, 10.0}, {"moment_max", 1.0, 0.1, 10.0}}};
+      const Solution solution = minimise(model, parameters);
       ellipse = Ellipse(solution.values[0], solution.values[1] * moment_ratio);
-      internal::describe(report, solution);
+      describe(report, solution);
       break;
     }
     case Criterion::minimax: {

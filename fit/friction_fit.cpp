@@ -13,6 +13,8 @@
 
 namespace limitcurve::fit {
 
+using namespace internal;
+
 namespace {
 
 struct Line {
@@ -75,12 +77,11 @@ std::vector<std::string> suspicious_units(const Patch& patch, std::span<const Pu
   if (turn > std::numbers::pi)
     warnings.push_back("a push turns by " + format_number(turn, 3) + " rad: is dtheta in radians?");
   if (!arms.empty()) {
-    const auto middle = arms.begin() + static_cast<std::ptrdiff_t>(arms.size() / 2);
-    std::nth_element(arms.begin(), middle, arms.end());
+    const double middle = median_of(std::move(arms));
     constexpr double least = 30.0;
-    if (*middle > least) {
+    if (middle > least) {
       warnings.push_back(
-          "moments are " + format_number(*middle, 3) +
+          "moments are " + format_number(middle, 3) +
           " times those that the patch has beside these forces: are they in N m, and is the patch in metres?");
     }
   }
@@ -125,7 +126,7 @@ FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, doubl
     ellipsoid.push_back(found[i].ellipsoid);
   }
   if (2 * against.size() > found.size()) {
-    throw std::invalid_argument("push " + std::to_string(internal::names_of(pushes, against).front()) +
+    throw std::invalid_argument("push " + std::to_string(names_of(pushes, against).front()) +
                                 ": negative power, as in " + std::to_string(against.size()) + " of " +
                                 std::to_string(found.size()) +
                                 " pushes; expected the wrench on the patch, which points along the motion: is this the "
@@ -135,7 +136,7 @@ FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, doubl
   if (share.size() < 3) throw std::invalid_argument(std::to_string(share.size()) + " pushes, expected at least 3");
   const Line of_exact = regress(share, exact);
   const Line of_ellipsoid = regress(share, ellipsoid);
-  FrictionFit fit{{}, suspicious_units(patch, pushes), internal::note_of_few_rows(share.size() - 1)};
+  FrictionFit fit{{}, suspicious_units(patch, pushes), note_of_few_rows(share.size() - 1)};
   const auto add = [&](const std::string& which, const Line& line) {
     Estimate drift{"drift" + which, line.drift, line.drift_error, "1"};
     if (std::fabs(drift.value) > 1.0) {
@@ -149,8 +150,8 @@ FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, doubl
   add("", of_exact);
   add("_ellipsoid", of_ellipsoid);
   if (!against.empty()) {
-    fit.warnings.insert(fit.warnings.begin(), internal::listed("push", "pushes", internal::names_of(pushes, against)) +
-                                                  " of " + std::to_string(found.size()) +
+    fit.warnings.insert(fit.warnings.begin(), listed("push", "pushes", names_of(pushes, against)) + " of " +
+                                                  std::to_string(found.size()) +
                                                   " (the first is 1): negative power, left out; did they slide?");
   }
   return fit;

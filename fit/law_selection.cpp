@@ -19,7 +19,7 @@
 
 namespace limitcurve::fit {
 
-using internal::ContactPreparation;
+using namespace internal;
 
 namespace {
 
@@ -45,7 +45,7 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   const std::size_t rows = std::min(samples.size(), options.rows_of_choice);
   const ContactPreparation preparation =
       rows < samples.size() ? internal::prepare(drawn(samples, rows), options) : of_all;
-  const std::size_t least = internal::least_rows_of_choice(options.fit_gamma ? 4 : 3);
+  const std::size_t least = least_rows_of_choice(options.fit_gamma ? 4 : 3);
   if (rows < least)
     throw std::invalid_argument(std::to_string(rows) + " samples are too few to choose a law, expected at least " +
                                 std::to_string(least) + ", or name a law");
@@ -82,12 +82,12 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
     if (&candidate != &best && difference < 2.0) {
       rivals +=
           (rivals.empty() ? "" : ", ") + candidate.model + " (AIC difference " + format_number(difference, 3) + ")";
-    } else if (&candidate != &best && std::max(candidate.report.rms, best.report.rms) < internal::perfect) {
+    } else if (&candidate != &best && std::max(candidate.report.rms, best.report.rms) < perfect) {
       ties += (ties.empty() ? "" : ", ") + candidate.model;
     }
   }
   const std::vector<Estimate> alone = best.report.estimates;
-  internal::include_choice(best.report, selection.candidates);
+  include_choice(best.report, selection.candidates);
   if (rows < samples.size()) {
     ContactFit fit = internal::fit_prepared(of_all, models.at(order.front()), options);
     for (std::size_t i = 0; i < alone.size(); ++i) {
@@ -103,7 +103,7 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   best.report.note = internal::note_of(best.model + " (best of " + std::to_string(models.size()) + " laws by AIC" +
                                            chosen_with + "; the errors include the choice, but for n and k)",
                                        options, samples.size() - best.report.free_parameters, preparation.with_sigma);
-  internal::test_scatter(best, samples, of_all, options);
+  test_scatter(best, samples, of_all, options);
   if (!rivals.empty()) best.report.warnings.push_back("the data cannot distinguish " + best.model + " from " + rivals);
   if (!ties.empty()) {
     best.report.warnings.push_back(best.model + " explains the samples to the last digit, and so does " + ties +
@@ -116,10 +116,10 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
 LawSelection select_edge(std::span<const Sample> samples, const ContactFitOptions& options) {
   LawSelection selection;
   for (const Law& law : {flat_punch(), uniform(), hertz(), parabolic(), cone(), gaussian(1.0)})
-    selection.candidates.push_back(internal::fit_edge(samples, ContactModel::of(law), options));
+    selection.candidates.push_back(fit_edge(samples, ContactModel::of(law), options));
   std::ranges::stable_sort(selection.candidates, {}, [](const ContactFit& fit) { return fit.report.aic; });
   ContactFit& best = selection.candidates.front();
-  internal::include_choice(best.report, selection.candidates);
+  include_choice(best.report, selection.candidates);
   std::string rivals;
   for (const ContactFit& candidate : selection.candidates) {
     selection.aic_difference.push_back(candidate.report.aic - best.report.aic);
@@ -136,9 +136,8 @@ LawSelection select_edge(std::span<const Sample> samples, const ContactFitOption
 
 LawSelection select_law(std::span<const Sample> samples, const ContactFitOptions& options) {
   if (options.loss.kind == Loss::Kind::edge) return select_edge(samples, options);
-  return internal::fit_or_outlive_outliers(options, [&](const ContactFitOptions& with) {
-    return internal::fit_beside_holds(samples, with,
-                                      [&](std::span<const Sample> some) { return select_by(some, with); });
+  return fit_or_outlive_outliers(options, [&](const ContactFitOptions& with) {
+    return fit_beside_holds(samples, with, [&](std::span<const Sample> some) { return select_by(some, with); });
   });
 }
 

@@ -14,6 +14,8 @@
 
 namespace limitcurve::fit {
 
+using namespace internal;
+
 namespace {
 
 struct Row {
@@ -26,7 +28,7 @@ struct Row {
 /// With p₀ = ln value(P₀) and γ: model v = exp(p₀ + (γ + e) ln(P/P₀)), e = 0 for radii and 1 for moments.
 ///   known σ:   r = (v − value)/σ,          ∂r/∂p₀ = v/σ, ∂r/∂γ = v ln(P/P₀)/σ;
 ///   unknown σ: r = (ln v − ln value)/noise, ∂r/∂p₀ = 1/noise, ∂r/∂γ = ln(P/P₀)/noise.
-class LoadResiduals final : public internal::ResidualModel {
+class LoadResiduals final : public ResidualModel {
  public:
   LoadResiduals(const std::vector<Row>& rows, double offset, bool fit_gamma, double gamma, double noise)
       : rows_(rows), offset_(offset), fit_gamma_(fit_gamma), gamma_(gamma), noise_(noise) {}
@@ -61,12 +63,6 @@ double fixed_gamma(LoadModel model) {
   return model == LoadModel::hertz ? 1.0 / 3.0 : 0.0;
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 struct Preparation {
   std::vector<Row> rows;
   double log_reference = 0.0;
@@ -75,12 +71,12 @@ struct Preparation {
   double noise = 1.0;
 };
 
-std::vector<internal::Parameter> free_parameters(const Preparation& data, LoadModel model) {
+std::vector<Parameter> free_parameters(const Preparation& data, LoadModel model) {
   std::vector<double> logs;
   const double gamma = model == LoadModel::power ? 0.25 : fixed_gamma(model);
   for (const Row& row : data.rows) logs.push_back(row.log_value - (gamma + data.offset) * row.log_load);
   const double start = median_of(logs);
-  std::vector<internal::Parameter> parameters{{data.offset > 0.0 ? "mu_r" : "c", start, start - 20.0, start + 20.0}};
+  std::vector<Parameter> parameters{{data.offset > 0.0 ? "mu_r" : "c", start, start - 20.0, start + 20.0}};
   if (model == LoadModel::power) parameters.push_back({"gamma", gamma, -0.5, 1.5});
   return parameters;
 }
@@ -97,10 +93,7 @@ Preparation prepare(const LoadSamples& samples, const Loss& loss) {
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
     const LoadSamples::Row& sample = samples.samples[i];
     const auto require = [&](bool good, const char* name, double value, const char* expected) {
-      if (!good) {
-        throw std::invalid_argument("sample " + std::to_string(i + 1) + ": " + name + " = " + format_number(value) +
-                                    ": expected " + expected);
-      }
+      if (!good) throw bad_sample(i, name, value, expected);
     };
     require(sample.load > 0.0 && std::isfinite(sample.load), "load", sample.load, "> 0 N and finite");
     require(sample.value > 0.0 && std::isfinite(sample.value), moments ? "moment" : "radius", sample.value,
@@ -113,49 +106,47 @@ Preparation prepare(const LoadSamples& samples, const Loss& loss) {
   for (Row& row : data.rows) row.log_load -= data.log_reference;
   if (!data.with_sigma && loss.kind != Loss::Kind::squared) {
     // A robust loss needs the typical error, the same for all models: take it from the most flexible one.
-    const std::vector<internal::Parameter> parameters = free_parameters(data, LoadModel::power);
+    const std::vector<Parameter> parameters = free_parameters(data, LoadModel::power);
     const LoadResiduals residuals(data.rows, data.offset, true, 0.0, 1.0);
-    data.noise = std::max(
-        1.4826 * internal::median_size(internal::minimise(residuals, parameters, Loss::cauchy(0.05)).residuals), 1e-9);
+    data.noise = std::max(1.4826 * median_size(minimise(residuals, parameters, Loss::cauchy(0.05)).residuals), 1e-9);
   }
   return data;
 }
 
 LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss) {
   const bool fit_gamma = model == LoadModel::power;
-  const std::vector<internal::Parameter> parameters = free_parameters(data, model);
+  const std::vector<Parameter> parameters = free_parameters(data, model);
   const std::size_t free = parameters.size();
   const std::size_t count = data.rows.size();
   const bool robust = loss.kind != Loss::Kind::squared;
   if (count < free || (count == free && !data.with_sigma)) {
-    throw internal::too_few_samples(count, free, parameters[0].name + (fit_gamma ? ", gamma" : ""), "of sigmas");
+    throw too_few_samples(count, free, parameters[0].name + (fit_gamma ? ", gamma" : ""), "of sigmas");
   }
   const LoadResiduals residuals(data.rows, data.offset, fit_gamma, fixed_gamma(model), data.noise);
   // Linear in the logarithms: a regression line is a good start.
-  const internal::Solution solution = internal::minimise(residuals, parameters, loss, 1e-18);
-  const double variance = data.with_sigma ? 1.0 : robust ? 0.0 : internal::residual_variance(solution);
+  const Solution solution = minimise(residuals, parameters, loss, 1e-18);
+  const double variance = data.with_sigma ? 1.0 : robust ? 0.0 : residual_variance(solution);
   const std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
-  if (fit_gamma) internal::refuse_hidden(parameters.back(), covariance.back());
+  if (fit_gamma) refuse_hidden(parameters.back(), covariance.back());
 
   LoadFit fit{model, {}};
-  internal::describe(fit.report, solution);
-  fit.report.note =
-      std::string(to_string(model)) + "; gamma " + (fit_gamma ? "fitted" : "assumed") + "; " + to_string(loss.kind) +
-      " loss" +
-      (data.with_sigma ? "" : "; relative errors of one size assumed" + internal::note_of_few_rows(count - free));
+  describe(fit.report, solution);
+  fit.report.note = std::string(to_string(model)) + "; gamma " + (fit_gamma ? "fitted" : "assumed") + "; " +
+                    to_string(loss.kind) + " loss" +
+                    (data.with_sigma ? "" : "; relative errors of one size assumed" + note_of_few_rows(count - free));
   fit.report.rms *= data.noise;
-  fit.report.aic = internal::akaike(solution.cost, count, free, data.with_sigma || robust);
+  fit.report.aic = akaike(solution.cost, count, free, data.with_sigma || robust);
   // From the value at the reference load to that at 1 N, per newton for moments.
   const double gamma = fit_gamma ? solution.values[1] : fixed_gamma(model);
   const double coefficient = std::exp(solution.values[0] - (gamma + data.offset) * data.log_reference);
-  const std::array<internal::Quantity, 2> quantities{
+  const std::array<Quantity, 2> quantities{
       {{parameters[0].name, coefficient, gamma == 0.0 && !fit_gamma ? "m" : "m/N^gamma",
         data.offset > 0.0 ? Estimate::Role::moment : Estimate::Role::radius},
        {"gamma", gamma, "1", Estimate::Role::gamma}}};
   if (fit_gamma) {
     internal::set_estimates(fit.report, quantities,
                             std::array{coefficient, -coefficient * data.log_reference, 0.0, 1.0}, covariance);
-    internal::warn_of_end(fit.report, parameters.back(), gamma);
+    warn_of_end(fit.report, parameters.back(), gamma);
     const Estimate& estimate = fit.report.at("gamma");
     if (estimate.value < -2.0 * estimate.std_error || estimate.value > 1.0 / 3.0 + 2.0 * estimate.std_error) {
       fit.report.warnings.push_back("gamma = " + format_number(estimate.value, 3) +
@@ -164,7 +155,7 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
   } else {
     internal::set_estimates(fit.report, quantities, std::array{coefficient, 0.0}, covariance);
   }
-  internal::warn_of_scatter(fit.report, solution, loss, data.with_sigma);
+  warn_of_scatter(fit.report, solution, loss, data.with_sigma);
   if (!fit.report.converged) fit.report.warnings.push_back("the minimiser did not converge: " + fit.report.message);
   return fit;
 }
@@ -174,17 +165,15 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
 void check_assumptions(LoadFit& fit, const LoadSamples& samples, const Loss& loss) {
   try {
     const Preparation data = prepare(samples, Loss::cauchy());
-    const std::vector<internal::Parameter> parameters = free_parameters(data, LoadModel::power);
+    const std::vector<Parameter> parameters = free_parameters(data, LoadModel::power);
     const LoadResiduals residuals(data.rows, data.offset, true, 0.0, data.noise);
-    const internal::Solution solution = internal::minimise(residuals, parameters, Loss::cauchy());
-    const std::vector<std::size_t> outliers = internal::outliers_of(solution, data.with_sigma, data.noise);
-    internal::warn_of_outliers(fit.report, internal::names_of(samples.samples, outliers), loss);
+    const Solution solution = minimise(residuals, parameters, Loss::cauchy());
+    const std::vector<std::size_t> outliers = outliers_of(solution, data.with_sigma, data.noise);
+    warn_of_outliers(fit.report, names_of(samples.samples, outliers), loss);
     if (fit.model == LoadModel::power) return;
-    const std::vector<double> spread =
-        internal::covariance(solution, parameters, Loss::cauchy(), data.with_sigma ? 1.0 : 0.0);
-    internal::warn_of_growth(
-        fit.report, fixed_gamma(fit.model), {"gamma", solution.values[1], std::sqrt(spread[3]), "1"},
-        static_cast<double>(data.rows.size()) - 2.0, internal::root_mean_square(solution.residuals) * data.noise);
+    const std::vector<double> spread = covariance(solution, parameters, Loss::cauchy(), data.with_sigma ? 1.0 : 0.0);
+    warn_of_growth(fit.report, fixed_gamma(fit.model), {"gamma", solution.values[1], std::sqrt(spread[3]), "1"},
+                   static_cast<double>(data.rows.size()) - 2.0, root_mean_square(solution.residuals) * data.noise);
   } catch (const std::invalid_argument&) {
     // Too few rows for a power law, or only one load: no warning possible.
   }
@@ -202,7 +191,7 @@ LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss) 
 LoadSelection select_load(const LoadSamples& samples, const Loss& loss) {
   const Preparation data = prepare(samples, loss);
   LoadSelection selection;
-  const bool can_choose = data.rows.size() >= internal::least_rows_of_choice(2);
+  const bool can_choose = data.rows.size() >= least_rows_of_choice(2);
   selection.candidates.push_back(fit_prepared(data, LoadModel::power, loss));
   if (can_choose) {
     for (const LoadModel model : {LoadModel::linear, LoadModel::hertz})

@@ -3,6 +3,7 @@
 
 #include "fit/contact_fit.hpp"
 #include "fit/internal/chance.hpp"
+#include "fit/internal/report.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <cmath>
@@ -12,12 +13,12 @@
 
 namespace limitcurve::fit {
 
+using namespace internal;
+
 namespace {
 
 void require_length(std::size_t index, const char* name, double value) {
-  if (value > 0.0 && std::isfinite(value)) return;
-  throw std::invalid_argument("sample " + std::to_string(index + 1) + ": " + name + " = " + format_number(value) +
-                              ": expected > 0 m and finite");
+  if (!(value > 0.0 && std::isfinite(value))) throw bad_sample(index, name, value, "> 0 m and finite");
 }
 
 }  // namespace
@@ -33,8 +34,7 @@ FitReport fit_ratio(std::span<const RatioSample> samples, const PressureLaw& law
     require_length(i, "ratio_sd", samples[i].sd);
     const double n = samples[i].n;
     if (n != 0.0 && !(n >= 1.0 && std::isfinite(n))) {
-      throw std::invalid_argument("sample " + std::to_string(i + 1) + ": n = " + format_number(n) +
-                                  ": expected >= 1 and finite, or 0");
+      throw bad_sample(i, "n", n, ">= 1 and finite, or 0");
     }
     counted = counted && n != 0.0;
   }
@@ -55,7 +55,7 @@ FitReport fit_ratio(std::span<const RatioSample> samples, const PressureLaw& law
   FitReport report;
   report.estimates = {ratio, implied_radius(ratio, law)};
   if (counted) {
-    const double p_value = internal::chi_squared_chance(freedom, chi_squared);
+    const double p_value = chi_squared_chance(freedom, chi_squared);
     report.estimates.insert(report.estimates.end(), {{"chi_squared", chi_squared, 0.0, "1"},
                                                      {"degrees_of_freedom", freedom, 0.0, "1"},
                                                      {"p_value", p_value, 0.0, "1"}});
@@ -64,7 +64,7 @@ FitReport fit_ratio(std::span<const RatioSample> samples, const PressureLaw& law
           "the ratios differ by more than their standard errors explain (p = " + format_number(p_value, 3) + ")");
     }
   } else {
-    const double bound = internal::chi_squared_bound(freedom, significant);
+    const double bound = chi_squared_bound(freedom, significant);
     const double refuted = chi_squared > 0.0 ? bound / chi_squared : std::numeric_limits<double>::infinity();
     report.estimates.insert(report.estimates.end(), {{"chi_squared_per_n", chi_squared, 0.0, "1"},
                                                      {"degrees_of_freedom", freedom, 0.0, "1"},

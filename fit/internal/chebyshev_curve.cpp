@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 namespace limitcurve::fit::internal {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr std::size_t terms = ChebyshevCurve::terms;
 
 /// Node i of count Chebyshev nodes of the first kind, in (−1, 1).
@@ -51,8 +51,7 @@ std::array<ChebyshevCurve::Series, 2> analyse(const PressureLaw& law, double mom
     for (std::size_t j = 0; j < terms; ++j) {
       for (std::size_t i = 0; i < terms; ++i) {
         const double weight = analysis(i, j, terms);
-        series[side][j].x += weight * samples[side][i].x;
-        series[side][j].y += weight * samples[side][i].y;
+        series[side][j] += samples[side][i] * weight;
       }
     }
   }
@@ -132,8 +131,7 @@ ShapeFamily::ShapeFamily(const std::function<Law(double)>& make, double shift, d
       moment_ratio_[k] += weight * moment_ratio;
       for (std::size_t side = 0; side < 2; ++side) {
         for (std::size_t j = 0; j < terms; ++j) {
-          tensor_[k][side][j].x += weight * series[side][j].x;
-          tensor_[k][side][j].y += weight * series[side][j].y;
+          tensor_[k][side][j] += series[side][j] * weight;
         }
       }
     }
@@ -175,10 +173,8 @@ ChebyshevCurve ShapeFamily::member(double coordinate) const noexcept {
     for (std::size_t side = 0; side < 2; ++side) {
       for (std::size_t j = 0; j < terms; ++j) {
         const PlanePoint& coefficient = tensor_[k][side][j];
-        curve.value_[side][j].x += value * coefficient.x;
-        curve.value_[side][j].y += value * coefficient.y;
-        curve.slope_[side][j].x += scale * slope * coefficient.x;
-        curve.slope_[side][j].y += scale * slope * coefficient.y;
+        curve.value_[side][j] += coefficient * value;
+        curve.slope_[side][j] += coefficient * (scale * slope);
       }
     }
     const double after = 2.0 * z * next_value - value;

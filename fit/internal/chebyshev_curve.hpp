@@ -4,10 +4,9 @@
 #include "limitcurve/pressure_law.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
-#include <span>
-#include <vector>
 
 namespace limitcurve::fit::internal {
 
@@ -15,6 +14,12 @@ namespace limitcurve::fit::internal {
 struct PlanePoint {
   double x;
   double y;
+  [[nodiscard]] PlanePoint operator-(PlanePoint other) const noexcept { return {x - other.x, y - other.y}; }
+  /// Each component by its own factor, or both by one.
+  [[nodiscard]] PlanePoint operator*(PlanePoint other) const noexcept { return {x * other.x, y * other.y}; }
+  [[nodiscard]] PlanePoint operator*(double factor) const noexcept { return {x * factor, y * factor}; }
+  void operator+=(PlanePoint other) noexcept { x += other.x, y += other.y; }
+  [[nodiscard]] double length() const noexcept { return std::hypot(x, y); }
 };
 
 /// An exact unit limit curve as two Chebyshev series (COR inside the rim, outside the rim), 40 terms each, and their

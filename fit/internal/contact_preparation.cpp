@@ -9,8 +9,6 @@
 #include <compare>
 #include <limits>
 #include <stdexcept>
-#include <string>
-#include <utility>
 
 namespace limitcurve::fit::internal {
 
@@ -25,8 +23,7 @@ bool check(std::span<const Sample> samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Sample& sample = samples[i];
     const auto complain = [&](const char* name, double value, const char* expected) {
-      return std::invalid_argument("sample " + std::to_string(i + 1) + ": " + name + " = " + format_number(value) +
-                                   ": expected " + expected);
+      return bad_sample(i, name, value, expected);
     };
     if (!(sample.load > 0.0) || std::isinf(sample.load)) throw complain("load", sample.load, "> 0 N and finite");
     if (!std::isfinite(sample.force)) throw complain("force", sample.force, "a finite number of N");
@@ -145,16 +142,16 @@ std::vector<WeightedSample> weigh(std::span<const Sample> samples, bool with_sig
 std::unique_ptr<UnitCurve> make_curve(const ContactModel& model) {
   switch (model.kind) {
     case ContactModel::Kind::ellipse:
-      return internal::make_ellipse();
+      return make_ellipse();
     case ContactModel::Kind::power:
-      return internal::make_family(internal::ShapeFamily::power(), "n", 0.5);
+      return make_family(ShapeFamily::power(), "n", 0.5);
     case ContactModel::Kind::xydas_kao:
-      return internal::make_family(internal::ShapeFamily::xydas_kao(), "k", 2.0);
+      return make_family(ShapeFamily::xydas_kao(), "k", 2.0);
     case ContactModel::Kind::law:
       break;
   }
   if (!model.pressure_law) throw std::invalid_argument("model 'law': expected a pressure law, got none");
-  return internal::make_law(*model.pressure_law);
+  return make_law(*model.pressure_law);
 }
 
 bool is_exact(const ContactModel& model) {
@@ -186,8 +183,7 @@ Loss approach(const ContactResiduals& residuals, std::vector<Parameter>& paramet
   constexpr int most_passes = 20;
   double scatter = 1.4826 * median_size(distances);
   for (int pass = 0; pass < most_passes && scatter > usual; ++pass) {
-    const Solution solution =
-        internal::minimise(residuals, parameters, {loss.kind, loss.scale * scatter}, coarse_tolerance);
+    const Solution solution = minimise(residuals, parameters, {loss.kind, loss.scale * scatter}, coarse_tolerance);
     for (std::size_t j = 0; j < parameters.size(); ++j) parameters[j].start = solution.values[j];
     const double before = scatter;
     scatter = 1.4826 * median_size(solution.residuals);
@@ -223,7 +219,7 @@ ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOpti
     const std::vector<Parameter> parameters =
         free_parameters(*curve, layout, {ContactModel::Kind::ellipse}, preparation.start);
     const Loss loss = pass == 0 && robust ? Loss::cauchy(0.05) : options.loss;
-    const Solution solution = internal::minimise(residuals, parameters, loss, internal::coarse_tolerance);
+    const Solution solution = minimise(residuals, parameters, loss, coarse_tolerance);
     preparation.start = {std::exp(solution.values[0]), std::exp(solution.values[1])};
     if (options.fit_gamma) gamma = solution.values.back();
     if (robust) {

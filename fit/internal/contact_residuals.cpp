@@ -24,11 +24,9 @@ ContactResiduals::ContactResiduals(std::span<const WeightedSample> samples, Unit
 double ContactResiduals::closest(PlanePoint sample, PlanePoint scale, double start) const noexcept {
   const auto slope_at = [&](double t) {
     const UnitCurve::Place place = curve_.at(t);
-    const double tangent_x = scale.x * place.tangent.x;
-    const double tangent_y = scale.y * place.tangent.y;
-    const double length = std::sqrt(tangent_x * tangent_x + tangent_y * tangent_y);
-    return ((sample.x - scale.x * place.point.x) * tangent_x + (sample.y - scale.y * place.point.y) * tangent_y) /
-           length;
+    const PlanePoint tangent = scale * place.tangent;
+    const PlanePoint off = sample - scale * place.point;
+    return (off.x * tangent.x + off.y * tangent.y) / std::sqrt(tangent.x * tangent.x + tangent.y * tangent.y);
   };
   constexpr int step_limit = 60;
   constexpr double tolerance = 1e-10;
@@ -65,8 +63,8 @@ void ContactResiduals::expect_drift(std::span<const double> parameters, double v
     // The distance from the curve of q(t) with an error of ±σ along the tangent; its closest points.
     const auto strayed = [&](double t, std::array<double, 2>& closest_to) {
       const UnitCurve::Place place = curve_.at(t);
-      const PlanePoint tangent{scale.x * place.tangent.x, scale.y * place.tangent.y};
-      const double step = noise / std::hypot(tangent.x, tangent.y);
+      const PlanePoint tangent = scale * place.tangent;
+      const double step = noise / tangent.length();
       double distance = 0.0;
       for (const double sign : {-1.0, 1.0}) {
         // The curve is symmetric about both axes.
@@ -74,8 +72,7 @@ void ContactResiduals::expect_drift(std::span<const double> parameters, double v
                             std::fabs(scale.y * place.point.y + sign * step * tangent.y)};
         double& nearest = closest_to.at(sign > 0.0 ? 1 : 0);
         nearest = closest(at, scale, t);
-        const PlanePoint point = curve_.at(nearest).point;
-        distance += 0.5 * std::hypot(at.x - scale.x * point.x, at.y - scale.y * point.y);
+        distance += 0.5 * (at - scale * curve_.at(nearest).point).length();
       }
       return distance;
     };
@@ -102,9 +99,8 @@ ContactResiduals::Ray ContactResiduals::common_ray(std::span<const double> param
   Ray ray{0.0, 0.0, 0.0, std::vector<double>(samples_.size())};
   PlanePoint squares{0.0, 0.0};
   for (const WeightedSample& sample : samples_) {
-    const PlanePoint off{per_load(sample).x - mean.x, per_load(sample).y - mean.y};
-    squares.x += off.x * off.x;
-    squares.y += off.y * off.y;
+    const PlanePoint off = per_load(sample) - mean;
+    squares += off * off;
     ray.correlation += off.x * off.y;
   }
   ray.correlation /= std::sqrt(squares.x * squares.y);
@@ -142,23 +138,18 @@ bool ContactResiduals::evaluate(std::size_t i, std::span<const double> parameter
     t = -1.0;
     return false;
   }
-  const auto distance_at = [&](double there) {
-    const PlanePoint point = curve_.at(there).point;
-    return std::hypot(at.x - scale.x * point.x, at.y - scale.y * point.y);
-  };
+  const auto distance_at = [&](double there) { return (at - scale * curve_.at(there).point).length(); };
   // Well inside the curve the distance has two minima, one towards each end: a search finds the nearer of them only by
   // chance.
   constexpr double well_inside = 0.05;
-  const PlanePoint nearest = curve_.at(t).point;
-  const double size = std::hypot(scale.x * nearest.x, scale.y * nearest.y);
-  if (std::hypot(at.x, at.y) < (1.0 - well_inside) * size) {
+  if (at.length() < (1.0 - well_inside) * (scale * curve_.at(t).point).length()) {
     for (const double end : {0.0, 1.0}) {
       const double other = closest(at, scale, end);
       if (distance_at(other) < distance_at(t)) t = other;
     }
   }
   const UnitCurve::Place place = curve_.at(t);
-  const PlanePoint on_curve{scale.x * place.point.x, scale.y * place.point.y};
+  const PlanePoint on_curve = scale * place.point;
   const double outward_x = scale.y * place.tangent.y;
   const double outward_y = -scale.x * place.tangent.x;
   const double length = std::sqrt(outward_x * outward_x + outward_y * outward_y);

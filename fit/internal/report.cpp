@@ -25,11 +25,20 @@ double root_mean_square(std::span<const double> residuals) noexcept {
   return residuals.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(residuals.size()));
 }
 
-double median_size(std::vector<double> values) {
-  for (double& value : values) value = std::fabs(value);
+double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+double median_size(std::vector<double> values) {
+  for (double& value : values) value = std::fabs(value);
+  return median_of(std::move(values));
+}
+
+std::invalid_argument bad_sample(std::size_t index, const char* name, double value, const std::string& expected) {
+  return std::invalid_argument("sample " + std::to_string(index + 1) + ": " + name + " = " + format_number(value) +
+                               ": expected " + expected);
 }
 
 double residual_variance(const Solution& solution) noexcept {

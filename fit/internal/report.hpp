@@ -28,8 +28,12 @@ std::invalid_argument too_few_samples(std::size_t count, std::size_t free, const
 
 double root_mean_square(std::span<const double> residuals) noexcept;
 
-/// Median of the absolute values; values must not be empty.
+/// Median of the values, and of their sizes; values must not be empty.
+double median_of(std::vector<double> values);
 double median_size(std::vector<double> values);
+
+/// The exception for a number of the sample at `index`, of which the first is 0.
+std::invalid_argument bad_sample(std::size_t index, const char* name, double value, const std::string& expected);
 
 /// Variance of one residual from the scatter: Σr²/(N − p), 0 if N = p.
 double residual_variance(const Solution& solution) noexcept;

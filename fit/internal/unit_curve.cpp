@@ -27,8 +27,7 @@ class PolarCurve : public UnitCurve {
   PlanePoint shape_slope(double t) const noexcept override {
     const PlanePoint ray = ray_at(t);
     const Gauge gauge = gauge_of(ray);
-    const double scale = -gauge.log_by_shape / gauge.value;
-    return {scale * ray.x, scale * ray.y};
+    return ray * (-gauge.log_by_shape / gauge.value);
   }
   double guess(PlanePoint ray) const noexcept override { return std::atan2(ray.y, ray.x) / quarter_turn; }
 
