@@ -20,12 +20,21 @@ limitcurve_status step(const limitcurve_batch* batch, const Contacts* contacts, 
   if (count == 0) return LIMITCURVE_OK;
   if (is_missing("contacts", contacts)) return LIMITCURVE_INVALID;
   const Contacts& of = *contacts;
-  if (is_missing("x", of.x) || is_missing("y", of.y) || is_missing("twist", of.twist) ||
-      is_missing("depth", of.depth) || is_missing("proxy_x", of.proxy_x) || is_missing("proxy_y", of.proxy_y) ||
-      is_missing("proxy_angle", of.proxy_angle) || is_missing("state", of.state) ||
-      is_missing("force_slides", of.force_slides) || is_missing("moment_slides", of.moment_slides) ||
-      is_missing("search_start", of.search_start) || is_missing("search_rate", of.search_rate) ||
-      is_missing("fx", of.fx) || is_missing("fy", of.fy) || is_missing("moment", of.moment))
+  if (any_missing({{"x", of.x},
+                   {"y", of.y},
+                   {"twist", of.twist},
+                   {"depth", of.depth},
+                   {"proxy_x", of.proxy_x},
+                   {"proxy_y", of.proxy_y},
+                   {"proxy_angle", of.proxy_angle},
+                   {"state", of.state},
+                   {"force_slides", of.force_slides},
+                   {"moment_slides", of.moment_slides},
+                   {"search_start", of.search_start},
+                   {"search_rate", of.search_rate},
+                   {"fx", of.fx},
+                   {"fy", of.fy},
+                   {"moment", of.moment}}))
     return LIMITCURVE_INVALID;
   const auto all = [count](auto* array) { return std::span(array, count); };
   const auto states = [count](std::uint8_t* array) { return std::span(reinterpret_cast<ContactState*>(array), count); };

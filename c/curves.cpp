@@ -22,7 +22,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// True if an array of COR distances, or an output array, is bad.
 bool refuse_arrays(const double* cors, std::size_t count, const double* forces, const double* moments) noexcept {
-  return count > 0 && (is_missing("cors", cors) || is_missing("forces", forces) || is_missing("moments", moments));
+  return count > 0 && any_missing({{"cors", cors}, {"forces", forces}, {"moments", moments}});
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ limitcurve_status limitcurve_law_parse(const char* text, limitcurve_law** law) {
 limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count, const char* source,
                                          double rim, limitcurve_law** law) {
   if (is_missing("source", source)) return LIMITCURVE_INVALID;
-  if (count > 0 && (is_missing("radii", radii) || is_missing("pressures", pressures))) return LIMITCURVE_INVALID;
+  if (count > 0 && any_missing({{"radii", radii}, {"pressures", pressures}})) return LIMITCURVE_INVALID;
   return make_handle(law, [&] {
     std::vector<PressureSample> rows;
     for (std::size_t i = 0; i < count; ++i) rows.push_back({radii[i], pressures[i]});
@@ -96,7 +96,7 @@ limitcurve_status limitcurve_table_box(double force_max, double moment_max, limi
 
 limitcurve_status limitcurve_table_read_csv(const char* text, size_t length, const char* source,
                                             limitcurve_table** table) {
-  if (is_missing("text", text) || is_missing("source", source)) return LIMITCURVE_INVALID;
+  if (any_missing({{"text", text}, {"source", source}})) return LIMITCURVE_INVALID;
   return make_handle(table, [&] {
     const Table read = read_table_csv(std::string_view(text, length), source);
     return limitcurve_table{read, read, to_csv(read)};
@@ -144,7 +144,7 @@ limitcurve_status limitcurve_table_evaluate(const limitcurve_table* table, const
 limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces, const double* moments,
                                          size_t count, double* gauges) {
   if (is_no_handle("table", table)) return LIMITCURVE_INVALID;
-  if (count > 0 && (is_missing("forces", forces) || is_missing("moments", moments) || is_missing("gauges", gauges)))
+  if (count > 0 && any_missing({{"forces", forces}, {"moments", moments}, {"gauges", gauges}}))
     return LIMITCURVE_INVALID;
   for (std::size_t i = 0; i < count; ++i) {
     if (!std::isfinite(forces[i])) return refuse("forces", i, forces[i], "a finite number");
@@ -161,8 +161,7 @@ limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table,
                                                 const limitcurve_finger_parameters* contact, const double* forces,
                                                 const double* moments, size_t count, double* loads) {
   if (is_no_handle("table", table) || is_missing("contact", contact)) return LIMITCURVE_INVALID;
-  if (count > 0 && (is_missing("forces", forces) || is_missing("moments", moments) || is_missing("loads", loads)))
-    return LIMITCURVE_INVALID;
+  if (count > 0 && any_missing({{"forces", forces}, {"moments", moments}, {"loads", loads}})) return LIMITCURVE_INVALID;
   if (refuse_numbers("forces", forces, count) || refuse_numbers("moments", moments, count)) return LIMITCURVE_INVALID;
   return guarded([&] {
     const godobject::FingerParameters parameters = parameters_of(*contact);

@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <span>
 #include <type_traits>
 
 using namespace limitcurve;
@@ -240,7 +239,7 @@ struct Walls {
 }  // namespace
 
 limitcurve_status limitcurve_join(const limitcurve_contact* contacts, size_t count, limitcurve_contact* joined) {
-  if (is_missing("contacts", contacts) || is_missing("joined", joined)) return LIMITCURVE_INVALID;
+  if (any_missing({{"contacts", contacts}, {"joined", joined}})) return LIMITCURVE_INVALID;
   const Walls walls{{contacts}, {contacts + count}};
   *joined = contact_of(join(walls), count > 0 ? contacts->twist : 0.0);
   return LIMITCURVE_OK;

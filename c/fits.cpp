@@ -21,19 +21,13 @@ limitcurve_fit converged(fit::ModelFit found) {
   return {std::move(found)};
 }
 
-const fit::Estimate* estimate_of(const limitcurve_fit* fit, std::size_t index) noexcept {
-  const auto& estimates = fit->found.report.estimates;
-  return index < estimates.size() ? &estimates[index] : nullptr;
-}
-
 }  // namespace
 
 limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, const double* forces,
                                        const double* moments, const double* sigma_forces, const double* sigma_moments,
                                        size_t count, const limitcurve_law* law, double gamma, limitcurve_fit** fit) {
   if (is_missing("model", model) || (law != nullptr && is_no_handle("law", law))) return LIMITCURVE_INVALID;
-  if (count > 0 && (is_missing("loads", loads) || is_missing("forces", forces) || is_missing("moments", moments)))
-    return LIMITCURVE_INVALID;
+  if (count > 0 && any_missing({{"loads", loads}, {"forces", forces}, {"moments", moments}})) return LIMITCURVE_INVALID;
   if ((sigma_forces == nullptr) != (sigma_moments == nullptr))
     return refuse("sigma_forces", "got one of sigma_forces and sigma_moments, expected both or none");
   return make_handle(fit, [&] {
@@ -53,7 +47,7 @@ limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, c
 
 limitcurve_status limitcurve_fit_radii(const char* model, const double* loads, const double* radii,
                                        const double* sigmas, size_t count, limitcurve_fit** fit) {
-  if (is_missing("model", model) || (count > 0 && (is_missing("loads", loads) || is_missing("radii", radii))))
+  if (is_missing("model", model) || (count > 0 && any_missing({{"loads", loads}, {"radii", radii}})))
     return LIMITCURVE_INVALID;
   return make_handle(fit, [&] {
     fit::LoadSamples samples;
@@ -89,11 +83,11 @@ size_t limitcurve_fit_count(const limitcurve_fit* fit) {
 limitcurve_status limitcurve_fit_estimate(const limitcurve_fit* fit, size_t index, const char** name, double* value,
                                           double* std_error, const char** unit) {
   if (is_no_handle("fit", fit)) return LIMITCURVE_INVALID;
-  const fit::Estimate* const estimate = estimate_of(fit, index);
-  if (estimate == nullptr) return refuse("index", "expected less than limitcurve_fit_count()");
-  if (name != nullptr) *name = estimate->name.c_str();
-  if (value != nullptr) *value = estimate->value;
-  if (std_error != nullptr) *std_error = estimate->std_error;
-  if (unit != nullptr) *unit = estimate->unit.c_str();
+  if (index >= limitcurve_fit_count(fit)) return refuse("index", "expected less than limitcurve_fit_count()");
+  const fit::Estimate& estimate = fit->found.report.estimates[index];
+  if (name != nullptr) *name = estimate.name.c_str();
+  if (value != nullptr) *value = estimate.value;
+  if (std_error != nullptr) *std_error = estimate.std_error;
+  if (unit != nullptr) *unit = estimate.unit.c_str();
   return LIMITCURVE_OK;
 }

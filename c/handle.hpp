@@ -7,6 +7,7 @@
 #include <cfenv>
 #include <cmath>
 #include <exception>
+#include <initializer_list>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -93,6 +94,11 @@ inline bool is_missing(const char* name, const void* pointer) noexcept {
   if (pointer != nullptr) return false;
   refuse(name, "got NULL");
   return true;
+}
+/// Whether one of several is.
+inline bool any_missing(std::initializer_list<std::pair<const char*, const void*>> pointers) noexcept {
+  return std::any_of(pointers.begin(), pointers.end(),
+                     [](const auto& one) { return is_missing(one.first, one.second); });
 }
 inline bool is_no_handle(const char* name, const void* handle) noexcept {
   if (is_missing(name, handle)) return true;

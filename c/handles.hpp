@@ -9,7 +9,6 @@
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table.hpp"
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <variant>

@@ -9,7 +9,7 @@ using namespace limitcurve::c;
 
 limitcurve_status limitcurve_patch_points(const double* x, const double* y, const double* loads, size_t count,
                                           limitcurve_patch** patch) {
-  if (count > 0 && (is_missing("x", x) || is_missing("y", y) || is_missing("loads", loads))) return LIMITCURVE_INVALID;
+  if (count > 0 && any_missing({{"x", x}, {"y", y}, {"loads", loads}})) return LIMITCURVE_INVALID;
   return make_handle(patch, [&] {
     std::vector<PatchLoad> points;
     for (std::size_t i = 0; i < count; ++i) points.push_back({x[i], y[i], loads[i]});
@@ -18,7 +18,7 @@ limitcurve_status limitcurve_patch_points(const double* x, const double* y, cons
 }
 
 limitcurve_status limitcurve_patch_polygon(const double* x, const double* y, size_t count, limitcurve_patch** patch) {
-  if (count > 0 && (is_missing("x", x) || is_missing("y", y))) return LIMITCURVE_INVALID;
+  if (count > 0 && any_missing({{"x", x}, {"y", y}})) return LIMITCURVE_INVALID;
   return make_handle(patch, [&] {
     std::vector<PatchPoint> vertices;
     for (std::size_t i = 0; i < count; ++i) vertices.push_back({x[i], y[i]});
@@ -71,7 +71,7 @@ limitcurve_status limitcurve_patch_table(const limitcurve_patch* patch, double t
 
 limitcurve_status limitcurve_patch_read_csv(const char* text, size_t length, const char* source,
                                             limitcurve_patch** patch) {
-  if (is_missing("text", text) || is_missing("source", source)) return LIMITCURVE_INVALID;
+  if (any_missing({{"text", text}, {"source", source}})) return LIMITCURVE_INVALID;
   return make_handle(patch, [&] { return handle_of(read_patch_table_csv(std::string_view(text, length), source)); });
 }
 
@@ -95,7 +95,7 @@ void limitcurve_patch_free(limitcurve_patch* patch) {
 limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count,
                                           double* wrenches, double* powers, double* errors) {
   if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
-  if (count > 0 && (is_missing("twists", twists) || is_missing("wrenches", wrenches))) return LIMITCURVE_INVALID;
+  if (count > 0 && any_missing({{"twists", twists}, {"wrenches", wrenches}})) return LIMITCURVE_INVALID;
   for (std::size_t i = 0; i < count; ++i) {
     const double* const twist = twists + 3 * i;
     const PatchFriction friction = patch->patch.about_origin({twist[0], twist[1], twist[2]});
@@ -112,7 +112,7 @@ limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const d
 limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu, const double* wrenches,
                                                 size_t count, double* loads) {
   if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
-  if (count > 0 && (is_missing("wrenches", wrenches) || is_missing("loads", loads))) return LIMITCURVE_INVALID;
+  if (count > 0 && any_missing({{"wrenches", wrenches}, {"loads", loads}})) return LIMITCURVE_INVALID;
   if (refuse_numbers("wrenches", wrenches, 3 * count)) return LIMITCURVE_INVALID;
   return guarded([&] {
     static_cast<void>(load_to_hold(patch->patch, mu, {}));  // what is wrong with mu, before anything is written
@@ -126,7 +126,7 @@ limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, d
 limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches, size_t count,
                                         double* twists, double* errors) {
   if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
-  if (count > 0 && (is_missing("wrenches", wrenches) || is_missing("twists", twists))) return LIMITCURVE_INVALID;
+  if (count > 0 && any_missing({{"wrenches", wrenches}, {"twists", twists}})) return LIMITCURVE_INVALID;
   if (refuse_numbers("wrenches", wrenches, 3 * count)) return LIMITCURVE_INVALID;
   return guarded([&] {
     for (std::size_t i = 0; i < count; ++i) {

@@ -125,6 +125,8 @@ std::string string_of(nb::handle value, const std::string& name, const std::stri
 std::string string_of(nb::handle value, const std::string& name);
 /// A value for an error message: its repr(), shortened.
 std::string shown(nb::handle value);
+/// Throws ValueError "NAME: got VALUE, expected EXPECTED".
+[[noreturn]] void refuse(std::string_view name, nb::handle value, std::string_view expected);
 
 /// What `bool(value)` is, of NumPy's truths too.
 bool truth_of(nb::handle value);

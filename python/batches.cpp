@@ -20,7 +20,6 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
-#include <vector>
 
 namespace limitcurve::python {
 
@@ -157,23 +156,24 @@ nb::object view_of(nb::handle self, const Select& select) {
 void add_batches(nb::module_& module) {
   nb::class_<PyBatch> batch(
       module, "Batch",
-      "Many contacts in arrays. They share a limit curve and parameters; each is in its own tangent plane.\n\n"
-      "A batch does step b only: friction by the curve, springs, radius law, static and dynamic friction. Dampers, "
-      "fading and\n"
-      "unwrapping of angles need a SoftFinger. A sample that is not usable (NaN, farther than 1e6 m), or a proxy that "
-      "is NaN,\n"
-      "makes its contact `invalid`; the last output of that contact stays.\n\n"
-      ">>> import limitcurve as lc, numpy as np\n"
-      ">>> batch = lc.Batch(lc.Table('hertz', 1e-8), 3, mu=0.6)\n"
-      ">>> batch.update(0.0, 0.0, 0.002, 0.0)\n"
-      ">>> batch.update(np.array([0, 1e-3, 1e-2]), np.zeros(3), np.full(3, 0.002), np.zeros(3))\n"
-      ">>> [str(lc.ContactState(s)) for s in batch.state]\n"
-      "['stick', 'stick', 'slip']\n"
-      ">>> [round(float(f), 6) for f in batch.fx]\n"
-      "[0.0, -1.0, -1.2]\n");
+      R"(Many contacts in arrays. They share a limit curve and parameters; each is in its own tangent plane.
+
+A batch does step b only: friction by the curve, springs, radius law, static and dynamic friction. Dampers, fading and
+unwrapping of angles need a SoftFinger. A sample that is not usable (NaN, farther than 1e6 m), or a proxy that is NaN,
+makes its contact `invalid`; the last output of that contact stays.
+
+>>> import limitcurve as lc, numpy as np
+>>> batch = lc.Batch(lc.Table('hertz', 1e-8), 3, mu=0.6)
+>>> batch.update(0.0, 0.0, 0.002, 0.0)
+>>> batch.update(np.array([0, 1e-3, 1e-2]), np.zeros(3), np.full(3, 0.002), np.zeros(3))
+>>> [str(lc.ContactState(s)) for s in batch.state]
+['stick', 'stick', 'slip']
+>>> [round(float(f), 6) for f in batch.fx]
+[0.0, -1.0, -1.2]
+)");
   const std::string signature =
-      "def __init__(self, curve: Table | Curve, n: int, *, dtype: numpy.typing.DTypeLike = 'float64', projection: str "
-      "= 'closest-point', " +
+      "def __init__(self, curve: Table | Curve, n: int, *, dtype: numpy.typing.DTypeLike = 'float64', "
+      "projection: str = 'closest-point', " +
       parameters_signature() + ") -> None";
   batch.def("__repr__", [](const PyBatch& self) {
     const std::size_t count = std::visit([](const auto& contacts) { return contacts->size(); }, self.contacts);
@@ -185,8 +185,7 @@ void add_batches(nb::module_& module) {
       [](PyBatch* self, const BoundArguments& given) {
         const nb::handle curve = given[0];
         std::size_t n = 0;
-        if (!nb::try_cast(given[1], n))
-          throw std::invalid_argument("n: got " + shown(given[1]) + ", expected a whole number >= 0");
+        if (!nb::try_cast(given[1], n)) refuse("n", given[1], "a whole number >= 0");
         PyBatch made{.contacts = {}, .curve = given[0], .given = read_files(without(given.by_name, "curve"))};
         made.given["n"] = n;
         const Projection projection = projection_of(given[3]);
@@ -205,14 +204,13 @@ void add_batches(nb::module_& module) {
         }
         new (self) PyBatch(std::move(made));
       },
-      "n free contacts at the origin; parameters as for SoftFinger, but no dampers, max_speed and fault_decay.\n"
-      "dtype float32 needs half the memory and time and resolves 6e-8 of a\n"
-      "coordinate; its table is that of the given one, to 5e-7 or 1 % of its tolerance.");
+      R"(n free contacts at the origin; parameters as for SoftFinger, but no dampers, max_speed and fault_decay.
+dtype float32 needs half the memory and time and resolves 6e-8 of a
+coordinate; its table is that of the given one, to 5e-7 or 1 % of its tolerance.)");
   define<PyBatch&>(
       batch,
-      "def update(self, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, depth: numpy.typing.ArrayLike, twist: "
-      "numpy.typing.ArrayLike, "
-      "dt: float = 0.0) -> None",
+      "def update(self, x: ArrayLike, y: ArrayLike, depth: ArrayLike, twist: ArrayLike, dt: float = 0.0) -> "
+      "None",
       [](PyBatch& self, const BoundArguments& given) {
         const double dt = number_of(given[4], "dt", 0.0);
         if (!(dt >= 0.0 && std::isfinite(dt))) throw out_of_range("dt", dt, "s", "[0, inf)");

@@ -108,12 +108,6 @@ cli::PatchArgument of_numbers(const PyPatch& patch) {
   return made;
 }
 
-/// Does the same as main().
-int run_as_program(const std::vector<std::string>& arguments) {
-  const nb::gil_scoped_release release;
-  return cli::run_program(arguments);
-}
-
 }  // namespace
 
 void add_commands(nb::module_& module) {
@@ -131,7 +125,7 @@ void add_commands(nb::module_& module) {
              "Runs `limitcurve ARGUMENTS` and returns its columns; appends to `said` what it says on standard error.",
              nb::sig("def run(arguments: collections.abc.Sequence[str], said: list[str]) -> dict[str, "
                      "numpy.typing.NDArray[typing.Any]]"));
-  module.def("main", &run_as_program, nb::arg("arguments"),
+  module.def("main", &cli::run_program, nb::call_guard<nb::gil_scoped_release>(), nb::arg("arguments"),
              "Runs `limitcurve ARGUMENTS` as a program; returns its exit status.");
 }
 

@@ -245,7 +245,7 @@ double number_of(nb::handle value, std::string_view name) {
     nb::python_error error;
     rethrow_unless_of_values(error);
   }
-  throw std::invalid_argument(std::string(name) + ": got " + shown(value) + ", expected a number");
+  refuse(name, value, "a number");
 }
 
 double number_of(nb::handle value, std::string_view name, double standard) {
@@ -254,12 +254,16 @@ double number_of(nb::handle value, std::string_view name, double standard) {
 
 std::string string_of(nb::handle value, const std::string& name) {
   std::string text;
-  if (!nb::try_cast(value, text)) throw std::invalid_argument(name + ": got " + shown(value) + ", expected a str");
+  if (!nb::try_cast(value, text)) refuse(name, value, "a str");
   return text;
 }
 
 std::string string_of(nb::handle value, const std::string& name, const std::string& standard) {
   return value.is_none() ? standard : string_of(value, name);
+}
+
+void refuse(std::string_view name, nb::handle value, std::string_view expected) {
+  throw std::invalid_argument(std::string(name) + ": got " + shown(value) + ", expected " + std::string(expected));
 }
 
 std::string shown(nb::handle value) {
@@ -342,7 +346,7 @@ std::string path_of(nb::handle path) {
     return nb::cast<std::string>(nb::module_::import_("os").attr("fsdecode")(path));
   } catch (nb::python_error& error) {
     rethrow_unless_of_values(error);
-    throw std::invalid_argument("path: got " + shown(path) + ", expected a file's name");
+    refuse("path", path, "a file's name");
   }
 }
 

@@ -14,7 +14,6 @@
 #include "limitcurve/version.hpp"
 
 #include <cstring>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>

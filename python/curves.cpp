@@ -17,13 +17,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
 
 namespace limitcurve::python {
 
@@ -98,14 +95,13 @@ nb::object gauges(const Table& table, const std::array<nb::handle, 2>& wrenches)
 template <class Class>
 void add_limit_curve(nb::class_<Class>& type) {
   define<const Class&>(
-      type, "def evaluate(self, c: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]",
+      type, "def evaluate(self, c: ArrayLike) -> tuple[typing.Any, typing.Any]",
       [](const Class& self, const BoundArguments& given) {
         return of_cors<2, 256>(given[0], [&](double s) { return components(curve_in(self).wrench({s, 1.0})); });
       },
       "Unit wrenches at COR distances of c contact radii; of a table within checked_error. As Law.evaluate.");
   define<const Class&>(
-      type,
-      "def wrench(self, slide: numpy.typing.ArrayLike, spin: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]",
+      type, "def wrench(self, slide: ArrayLike, spin: ArrayLike) -> tuple[typing.Any, typing.Any]",
       [](const Class& self, const BoundArguments& given) {
         return of_numbers<2, 256, 2>({given[0], given[1]}, {"slide", "spin"}, {any, any},
                                      [&](const std::array<double, 2>& twist) {
@@ -116,7 +112,7 @@ void add_limit_curve(nb::class_<Class>& type) {
       "no slip gives 0.\n"
       "Broadcasts; else as evaluate(slide / spin).");
   define<const Class&>(
-      type, "def gauge(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any",
+      type, "def gauge(self, force: ArrayLike, moment: ArrayLike) -> typing.Any",
       [](const Class& self, const BoundArguments& given) {
         if constexpr (std::is_same_v<Class, Table>) {
           if (!plain_number(given[0]) || !plain_number(given[1])) return gauges(self, {given[0], given[1]});
@@ -131,10 +127,8 @@ void add_limit_curve(nb::class_<Class>& type) {
       "count. Broadcasts.");
   define<const Class&>(
       type,
-      "def load_to_hold(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: "
-      "numpy.typing.ArrayLike, radius_law: "
-      "str "
-      "| None = None, mu_r: numpy.typing.ArrayLike | None = None, gamma: numpy.typing.ArrayLike = 0.0) -> typing.Any",
+      "def load_to_hold(self, force: ArrayLike, moment: ArrayLike, *, mu: ArrayLike, radius_law: str | None = "
+      "None, mu_r: ArrayLike | None = None, gamma: ArrayLike = 0.0) -> typing.Any",
       [](const Class& self, const BoundArguments& given) { return loads_to_hold(curve_in(self), given); },
       "The least load [N] that holds friction forces [N] and moments [N m], of any sign; inf if no load does. All "
       "numbers broadcast.\n\n"
@@ -184,8 +178,7 @@ nb::object tangent_ellipses(const Table& self, const BoundArguments& given) {
   if (has(0) != has(1) || has(0) == has(4) || has(2) != has(3) || (has(2) && !has(0)))
     throw std::invalid_argument("tangent_ellipse: expected force and moment, or these with p and q, or slip=(v, u)");
   if (const nb::object& slip = given[4]; has(4)) {
-    if (!nb::isinstance<nb::sequence>(slip) || nb::len(slip) != 2)
-      throw std::invalid_argument("slip: got " + shown(slip) + ", expected (v, u)");
+    if (!nb::isinstance<nb::sequence>(slip) || nb::len(slip) != 2) refuse("slip", slip, "(v, u)");
     const nb::object slide = slip[0];
     const nb::object spin = slip[1];
     return of_numbers<2, 16, 2>({slide, spin}, {"slip[0]", "slip[1]"}, {any, any},
@@ -205,11 +198,13 @@ nb::object tangent_ellipses(const Table& self, const BoundArguments& given) {
 
 void add_tables(nb::module_& module) {
   nb::class_<Table> type(module, "Table",
-                         "A limit curve as a lookup table with a checked error. It drives fingers and batches.\n\n"
-                         ">>> import limitcurve as lc\n"
-                         ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
-                         ">>> table.checked_error <= 1e-8, table.nbytes <= 4096\n"
-                         "(True, True)\n");
+                         R"(A limit curve as a lookup table with a checked error. It drives fingers and batches.
+
+>>> import limitcurve as lc
+>>> table = lc.Table('hertz', tolerance=1e-8)
+>>> table.checked_error <= 1e-8, table.nbytes <= 4096
+(True, True)
+)");
   copies_are_itself(type);
   add_limit_curve(type);
   type.def("__getstate__",
@@ -235,7 +230,7 @@ void add_tables(nb::module_& module) {
         const double tolerance = number_of(given[1], "tolerance", Table::default_tolerance);
         TableOptions options;
         if (!given[2].is_none() && !nb::try_cast(given[2], options.preferred_bytes))
-          throw std::invalid_argument("preferred_bytes: got " + shown(given[2]) + ", expected a whole number");
+          refuse("preferred_bytes", given[2], "a whole number");
         const nb::gil_scoped_release release;
         new (self) Table(Table::build(of, tolerance, options));
       },
@@ -256,12 +251,10 @@ void add_tables(nb::module_& module) {
         const std::string file = path_of(given[0]);
         const cli::TableWriter text_of = cli::table_writer(file, "path", string_of(given[1], "name", ""));
         const nb::gil_scoped_release release;  // the reader of a pipe may be another thread
-        cli::AtomicFile output(file);
-        output.output().write(text_of(self));
-        output.commit();
+        cli::AtomicFile::write(file, text_of(self));
       },
-      "Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).\n"
-      "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.");
+      R"(Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).
+name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.)");
   type.def("__eq__",
            [](const Table& self, nb::handle other) {
              return nb::isinstance<Table>(other) && same(self, nb::cast<const Table&>(other));
@@ -269,10 +262,9 @@ void add_tables(nb::module_& module) {
       .def("__hash__", [](const Table& self) { return std::hash<double>()(self.checked_error()); });
   define<const Table&>(
       type,
-      "def tangent_ellipse(self, force: numpy.typing.ArrayLike | None = None, moment: numpy.typing.ArrayLike | None = "
-      "None, p: "
-      "numpy.typing.ArrayLike | None = None, q: numpy.typing.ArrayLike | None = None, *, slip: "
-      "tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None = None) -> tuple[typing.Any, typing.Any]",
+      "def tangent_ellipse(self, force: ArrayLike | None = None, moment: ArrayLike | None = None, p: ArrayLike "
+      "| None = None, q: ArrayLike | None = None, *, slip: tuple[ArrayLike, ArrayLike] | None = None) -> "
+      "tuple[typing.Any, typing.Any]",
       &tangent_ellipses,
       "Semi-axes (p, q) with which an engine's elliptic cone, coefficients mu p and mu a q, finds the exact curve: of "
       "the ellipse "
@@ -352,21 +344,20 @@ void warn_of_samples(const std::string& law, double own_error, double error_of_c
 Law law_of(nb::handle law) {
   if (nb::isinstance<PyLaw>(law)) return nb::cast<const PyLaw&>(law).law;
   if (nb::isinstance<nb::str>(law)) return cli::read_law(nb::cast<std::string>(law));
-  throw std::invalid_argument("law: got " + shown(law) + ", expected a str, such as 'hertz', or a Law");
+  refuse("law", law, "a str, such as 'hertz', or a Law");
 }
 
 template <>
 godobject::BasicFingerCurve<double> curve_of(nb::handle curve) {
   if (nb::isinstance<Table>(curve)) return nb::cast<const Table&>(curve);
   if (nb::isinstance<PyCurve>(curve)) return nb::cast<const PyCurve&>(curve).curve;
-  throw std::invalid_argument("curve: got " + shown(curve) + ", expected a Table, or what ellipse() or box() made");
+  refuse("curve", curve, "a Table, or what ellipse() or box() made");
 }
 
 template <>
 godobject::BasicFingerCurve<float> curve_of(nb::handle curve) {
   if (nb::isinstance<PyCurve>(curve)) return nb::cast<const PyCurve&>(curve).single;
-  if (!nb::isinstance<Table>(curve))
-    throw std::invalid_argument("curve: got " + shown(curve) + ", expected a Table, or what ellipse() or box() made");
+  if (!nb::isinstance<Table>(curve)) refuse("curve", curve, "a Table, or what ellipse() or box() made");
   // From the table itself, not from its law: that is only a name in a file, and the file of a measured profile may have
   // changed.
   const auto& table = nb::cast<const Table&>(curve);

@@ -71,8 +71,7 @@ FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
         radius_law.emplace(text, std::move(samples));
         continue;
       }
-      if (!nb::isinstance<nb::str>(value))
-        throw std::invalid_argument("radius_law: got " + shown(value) + ", expected a str, such as 'constant:a=0.005'");
+      if (!nb::isinstance<nb::str>(value)) refuse("radius_law", value, "a str, such as 'constant:a=0.005'");
       radius_law = cli::read_radius_law(nb::cast<std::string>(value));
       is_typed = PyUnicode_CheckExact(value.ptr());
       continue;
@@ -115,16 +114,14 @@ std::string parameters_signature(bool of_patch) {
 
 Projection projection_of(nb::handle word) {
   if (word.is_none()) return Projection::closest_point;
-  if (!nb::isinstance<nb::str>(word))
-    throw std::invalid_argument("projection: got " + shown(word) + ", expected " + joined(projection_names));
+  if (!nb::isinstance<nb::str>(word)) refuse("projection", word, joined(projection_names));
   return parse_projection(nb::cast<std::string>(word));
 }
 
 void add_passivity(nb::module_& module) {
   const auto delay_of = [](nb::handle given) {
     int delay = 0;
-    if (!given.is_none() && !nb::try_cast(given, delay))
-      throw std::invalid_argument("delay: got " + shown(given) + ", expected a whole number");
+    if (!given.is_none() && !nb::try_cast(given, delay)) refuse("delay", given, "a whole number");
     return delay;
   };
   const std::string rest = parameters_signature() + ") -> ";

@@ -9,11 +9,8 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <tuple>
-#include <vector>
 
 namespace limitcurve::python {
 
@@ -141,8 +138,8 @@ void add_output(nb::module_& module) {
       .value("force", Fault::force, "the force or the moment on the touched body is none");
   nb::class_<FingerOutput> type(
       module, "FingerOutput",
-      "Result of a step. The user feels `whole_force` and `moment_vector`; after `update_under_load` apply\n"
-      "`force` and `moment_vector` alone, the engine pushes.");
+      R"(Result of a step. The user feels `whole_force` and `moment_vector`; after `update_under_load` apply
+`force` and `moment_vector` alone, the engine pushes.)");
   pickle_plainly<FingerOutput>(type);
   type.def_ro("state", &FingerOutput::state, "ContactState")
       .def_prop_ro(
@@ -263,8 +260,7 @@ void add_finger_types(nb::module_& module) {
       type, "def copy_state(self, other: SoftFinger) -> None",
       [](PyFinger& self, const BoundArguments& given) {
         const PyFinger* other = nullptr;
-        if (!nb::try_cast(given[0], other) || other == nullptr)
-          throw std::invalid_argument("other: got " + shown(given[0]) + ", expected a SoftFinger");
+        if (!nb::try_cast(given[0], other) || other == nullptr) refuse("other", given[0], "a SoftFinger");
         self.restore(other->state());
       },
       "Takes the state of another finger: proxy, memories and output, not its parameters.");
@@ -336,8 +332,7 @@ void add_friction(nb::module_& module) {
         const double moment_stick_fraction = number_of(given[9], "moment_stick_fraction", 1.0);
         PyMemory forgotten;
         PyMemory* memory = &forgotten;
-        if (!given[10].is_none() && !nb::try_cast(given[10], memory))
-          throw std::invalid_argument("memory: got " + shown(given[10]) + ", expected a FrictionMemory");
+        if (!given[10].is_none() && !nb::try_cast(given[10], memory)) refuse("memory", given[10], "a FrictionMemory");
         const Projection way = parse_projection(string_of(given[11], "projection", "closest-point"));
         const auto require = [](bool holds, const char* name, double value, const char* expected) {
           if (!holds) throw out_of_range(name, value, "1", expected);

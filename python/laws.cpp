@@ -110,9 +110,8 @@ void add_laws(nb::module_& module) {
       "True\n");
   define_static(
       type,
-      "def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays', rim: "
-      "float | None = None) -> "
-      "Law",
+      "def samples(radius: ArrayLike, pressure: ArrayLike, source: str = 'arrays', rim: float | None = None) "
+      "-> Law",
       [](const BoundArguments& given) {
         const auto all = columns_of("", {"radius", "pressure"}, nb::list(nb::make_tuple(given[0], given[1])));
         std::vector<PressureSample> rows;
@@ -126,9 +125,7 @@ void add_laws(nb::module_& module) {
       "Warns of what was\n"
       "done, and where the last radius is probably not the rim.");
   define<const PyLaw&>(
-      type,
-      "def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False, method: str = 'auto') -> "
-      "tuple[typing.Any, ...]",
+      type, "def evaluate(self, c: ArrayLike, *, error: bool = False, method: str = 'auto') -> tuple[typing.Any, ...]",
       [](const PyLaw& self, const BoundArguments& given) {
         const Method method = method_of(*self.law, string_of(given[2], "method", "auto"));
         return truth_of(given[1])

@@ -33,7 +33,12 @@ std::vector<std::string_view> items_of(std::string_view list) {
 
 }  // namespace
 
-Parameters::Parameters(std::string_view signature) {
+Parameters::Parameters(std::string_view signature) : signature_(signature) {
+  constexpr std::string_view type = "ArrayLike";
+  for (std::size_t at = 0; (at = signature_.find(type, at)) != std::string::npos;) {
+    signature_.insert(at, "numpy.typing.");
+    at = signature_.find(type, at) + type.size();
+  }
   signature.remove_prefix(signature.find("def ") + 4);
   const std::size_t open = signature.find('(');
   function_ = signature.substr(0, open);

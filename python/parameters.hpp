@@ -20,8 +20,8 @@ struct BoundArguments : std::vector<nb::object> {
   nb::kwargs by_name;  ///< what was given by keyword
 };
 
-/// The parameters of a function, by its signature in Python, such as "def gauge(self, force: float, *, mu: float = 1.0)
-/// -> float".
+/// The parameters of a function, by its signature in Python, such as "def gauge(self, force: ArrayLike, *, mu: float =
+/// 1.0) -> float".
 class Parameters {
  public:
   explicit Parameters(std::string_view signature);
@@ -30,6 +30,8 @@ class Parameters {
   [[nodiscard]] BoundArguments bind(const nb::args& positional, const nb::kwargs& keywords, std::size_t first = 0,
                                     bool has_self = true) const;
   [[nodiscard]] const std::string& function() const { return function_; }
+  /// With NumPy's types by their full names.
+  [[nodiscard]] const std::string& signature() const { return signature_; }
 
  private:
   struct Parameter {
@@ -42,6 +44,7 @@ class Parameters {
   [[noreturn]] void refuse(const std::string& what) const;
   [[noreturn]] void refuse_unknown(const std::string& name) const;
 
+  std::string signature_;
   std::string function_;
   std::vector<Parameter> all_;
 };
@@ -62,7 +65,7 @@ void define(Class& type, const std::string& signature, const Work& work, const c
     const auto constructed = [=](Self self, const nb::args& positional, const nb::kwargs& keywords) {
       return called(self, parameters->bind(positional, keywords));
     };
-    type.def(name, constructed, nb::sig(signature.c_str()), doc);
+    type.def(name, constructed, nb::sig(parameters->signature().c_str()), doc);
   } else {
     // nanobind's own word on a wrong self, as of Table.gauge(1, 2), would be its lines on C++.
     const auto checked = [=](const nb::args& all, const nb::kwargs& keywords) {
@@ -71,7 +74,7 @@ void define(Class& type, const std::string& signature, const Work& work, const c
       const BoundArguments given = parameters->bind(all, keywords, 1, has_self);
       return called(*self, given);
     };
-    type.def(name, checked, nb::sig(signature.c_str()), doc);
+    type.def(name, checked, nb::sig(parameters->signature().c_str()), doc);
   }
 }
 
@@ -84,9 +87,9 @@ void define_static(Type& type, const std::string& signature, const Work& work, c
     return work(parameters->bind(positional, keywords));
   };
   if constexpr (std::is_same_v<Type, nb::module_>)
-    type.def(name, called, nb::sig(signature.c_str()), doc);
+    type.def(name, called, nb::sig(parameters->signature().c_str()), doc);
   else
-    type.def_static(name, called, nb::sig(signature.c_str()), doc);
+    type.def_static(name, called, nb::sig(parameters->signature().c_str()), doc);
 }
 
 }  // namespace limitcurve::python

@@ -18,7 +18,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
-#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -131,8 +130,7 @@ PyPatch image(const BoundArguments& given) {
   const nb::handle pixel = given[1];
   std::tuple<double, double> spacing;
   if (pixel.is_none() == given[2].is_none()) throw std::invalid_argument("expected one of pixel and spacing");
-  if (pixel.is_none() && !nb::try_cast(given[2], spacing))
-    throw std::invalid_argument("spacing: got " + shown(given[2]) + ", expected (dy, dx)");
+  if (pixel.is_none() && !nb::try_cast(given[2], spacing)) refuse("spacing", given[2], "(dy, dx)");
   if (!pixel.is_none()) spacing = {number_of(pixel, "pixel"), number_of(pixel, "pixel")};
   const bool has_mask = is_masked(pressures);
   const Numbers<double> all =
@@ -252,9 +250,7 @@ void add_patch_tables(nb::module_& module) {
         const std::string file = path_of(given[0]);
         const cli::PatchTableWriter text_of = cli::patch_table_writer(file, "path");
         const nb::gil_scoped_release release;  // the reader of a pipe may be another thread
-        cli::AtomicFile output(file);
-        output.output().write(text_of(self.table()));
-        output.commit();
+        cli::AtomicFile::write(file, text_of(self.table()));
       },
       "Writes the whole table or nothing; the extension selects .csv or .json.");
   type.def("__repr__",
@@ -324,21 +320,20 @@ void add_patches(nb::module_& module) {
       },
       "A pressure law stretched to an ellipse with these semi-axes [m].");
   define_static(
-      type, "def points(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, load: numpy.typing.ArrayLike) -> Patch",
+      type, "def points(x: ArrayLike, y: ArrayLike, load: ArrayLike) -> Patch",
       [](const BoundArguments& given) {
         return of_columns("points", {"x", "y", "load"}, nb::list(nb::make_tuple(given[0], given[1], given[2])));
       },
       "Points [m] with loads >= 0 of any unit.");
   define_static(
-      type, "def polygon(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike) -> Patch",
+      type, "def polygon(x: ArrayLike, y: ArrayLike) -> Patch",
       [](const BoundArguments& given) {
         return of_columns("polygon", {"x", "y"}, nb::list(nb::make_tuple(given[0], given[1])));
       },
       "Uniform pressure on a simple polygon [m].");
   define_static(type,
-                "def image(pressures: numpy.typing.ArrayLike, pixel: float | None = None, *, spacing: tuple[float, "
-                "float] | None = None,"
-                " floor: float | None = None) -> Patch",
+                "def image(pressures: ArrayLike, pixel: float | None = None, *, spacing: tuple[float, float] | None = "
+                "None, floor: float | None = None) -> Patch",
                 &image,
                 "A pressure image; the first row is at the largest y; pixels are squares of side `pixel` [m], or "
                 "rectangles with the `spacing`\n"
@@ -352,38 +347,36 @@ void add_patches(nb::module_& module) {
         return self.orthotropic(number_of(given[0], "mx"), number_of(given[1], "my"));
       },
       "The same patch with orthotropic friction: mu times mx along x and times my along y.");
-  define<const PyPatch&>(type,
-                         "def wrench(self, twists: numpy.typing.ArrayLike, mu: float = 1.0, load: float = 1.0, *, "
-                         "error: bool = False) -> typing.Any",
-                         &wrench,
-                         "The wrenches (fx, fy, moment) [N, N m] about the origin that keep the patch sliding with "
-                         "twists (vx, vy, omega) [m/s, rad/s].\n\n"
-                         "Shape (…, 3) in and out. With `error` also the powers [W], and a bound of the largest of the "
-                         "power's relative error,\n"
-                         "|dF|/(mu P) and |dM|/(mu P m0). Releases the GIL.");
-  define<const PyPatch&>(type,
-                         "def load_to_hold(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: "
-                         "numpy.typing.ArrayLike, *, mu: "
-                         "numpy.typing.ArrayLike) -> typing.Any",
-                         &loads_to_hold_patch,
-                         "The least loads [N], of all points together, that hold friction wrenches [N, N m] about the "
-                         "origin, broadcast against each\n"
-                         "other and mu; inf if no load does. Releases the GIL.");
-  define<const PyPatch&>(type,
-                         "def slip(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: "
-                         "numpy.typing.ArrayLike, *, error: bool = False) -> typing.Any",
-                         &slips,
-                         "The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under "
-                         "friction wrenches [N, N m], broadcast\n"
-                         "against each other: shape (…, 3). They have power 1 W against the wrench; NaN for wrench 0, "
-                         "and where no load holds. With `error`\n"
-                         "also a bound of the larger of |dF|/(mu P) and |dM|/(mu P m0), from the wrench at the "
-                         "load that just holds it to what the slip\n"
-                         "needs; it warns of more than 1e-6 that is not the patch's own. Releases the GIL.\n\n"
-                         ">>> import limitcurve as lc\n"
-                         ">>> slip, error = lc.Patch.rectangle(0.02, 0.02).slip(0, 1, 0, error=True)\n"
-                         ">>> abs(slip - [0, 1, 0]).max() < 1e-9 and bool(error < 1e-12)\n"
-                         "True\n");
+  define<const PyPatch&>(
+      type,
+      "def wrench(self, twists: ArrayLike, mu: float = 1.0, load: float = 1.0, *, error: bool = False) -> "
+      "typing.Any",
+      &wrench,
+      "The wrenches (fx, fy, moment) [N, N m] about the origin that keep the patch sliding with "
+      "twists (vx, vy, omega) [m/s, rad/s].\n\n"
+      "Shape (…, 3) in and out. With `error` also the powers [W], and a bound of the largest of the "
+      "power's relative error,\n"
+      "|dF|/(mu P) and |dM|/(mu P m0). Releases the GIL.");
+  define<const PyPatch&>(
+      type, "def load_to_hold(self, fx: ArrayLike, fy: ArrayLike, moment: ArrayLike, *, mu: ArrayLike) -> typing.Any",
+      &loads_to_hold_patch,
+      "The least loads [N], of all points together, that hold friction wrenches [N, N m] about the "
+      "origin, broadcast against each\n"
+      "other and mu; inf if no load does. Releases the GIL.");
+  define<const PyPatch&>(
+      type, "def slip(self, fx: ArrayLike, fy: ArrayLike, moment: ArrayLike, *, error: bool = False) -> typing.Any",
+      &slips,
+      "The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under "
+      "friction wrenches [N, N m], broadcast\n"
+      "against each other: shape (…, 3). They have power 1 W against the wrench; NaN for wrench 0, "
+      "and where no load holds. With `error`\n"
+      "also a bound of the larger of |dF|/(mu P) and |dM|/(mu P m0), from the wrench at the "
+      "load that just holds it to what the slip\n"
+      "needs; it warns of more than 1e-6 that is not the patch's own. Releases the GIL.\n\n"
+      ">>> import limitcurve as lc\n"
+      ">>> slip, error = lc.Patch.rectangle(0.02, 0.02).slip(0, 1, 0, error=True)\n"
+      ">>> abs(slip - [0, 1, 0]).max() < 1e-9 and bool(error < 1e-12)\n"
+      "True\n");
   define<const PyPatch&>(
       type, "def half_spaces(self, rows: int = 32) -> tuple[typing.Any, typing.Any, float]", &half_spaces_of,
       "Friction for a planner: A of shape (n, 3), V of shape (v, 3) and their share, inside the limit surface. A @ "
