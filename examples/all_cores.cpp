@@ -71,11 +71,8 @@ int main(int argc, char** argv) {
   const auto count = static_cast<std::size_t>(wanted);
   const int steps = static_cast<int>(steps_wanted);
 
-  god::FingerParameters skin;
-  skin.mu = 0.6;
-  skin.radius_law = lc::RadiusLaw::constant(0.005);
-  skin.stiffness = 1000.0;
-  skin.twist_stiffness = 0.01;
+  const god::FingerParameters skin{
+      .mu = 0.6, .radius_law = lc::RadiusLaw::constant(0.005), .stiffness = 1000.0, .twist_stiffness = 0.01};
   const god::Batch friction(lc::Table::build(lc::hertz(), 1e-6), skin);
 
   const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);

@@ -13,11 +13,8 @@ namespace god = limitcurve::godobject;
 
 int main() {
   const lc::Law law = lc::hertz();
-  god::FingerParameters parameters;
-  parameters.mu = 0.6;
-  parameters.radius_law = lc::RadiusLaw::constant(0.005);
-  parameters.stiffness = 1000.0;
-  parameters.twist_stiffness = 0.025;
+  const god::FingerParameters parameters{
+      .mu = 0.6, .radius_law = lc::RadiusLaw::constant(0.005), .stiffness = 1000.0, .twist_stiffness = 0.025};
   god::SoftFinger finger(lc::Table::build(law, 1e-8), parameters);
 
   const double depth = 0.002, radius = 0.005, mu = 0.6;  // so the load is 2 N

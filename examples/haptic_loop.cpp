@@ -10,7 +10,6 @@
 #include "limitcurve/table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -97,14 +96,12 @@ class TouchOfPlane {
   static constexpr double time_step = 1e-3;  // [s]
 
   static god::FingerParameters parameters() {
-    god::FingerParameters result;
-    result.mu = 0.6;
-    result.radius_law = lc::RadiusLaw::power(0.00207, 0.259);  // a silicone finger
-    result.stiffness = 1000.0;
-    result.twist_stiffness = 0.01;
-    result.damping = 1.0;
-    result.twist_damping = 1e-5;
-    return result;
+    return {.mu = 0.6,
+            .radius_law = lc::RadiusLaw::power(0.00207, 0.259),  // a silicone finger
+            .stiffness = 1000.0,
+            .twist_stiffness = 0.01,
+            .damping = 1.0,
+            .twist_damping = 1e-5};
   }
 
   god::AnySurface ground_ = god::PlaneSurface{};

@@ -76,11 +76,8 @@ int main(int argc, char** argv) {
   constexpr std::chrono::milliseconds period{1};
   const long steps = std::lround(1000.0 * std::clamp(seconds, 0.2, 3600.0));
 
-  god::FingerParameters parameters;
-  parameters.mu = 0.6;
-  parameters.radius_law = lc::RadiusLaw::constant(0.005);
-  parameters.stiffness = 1000.0;
-  parameters.twist_stiffness = 0.025;
+  const god::FingerParameters parameters{
+      .mu = 0.6, .radius_law = lc::RadiusLaw::constant(0.005), .stiffness = 1000.0, .twist_stiffness = 0.025};
   // Construct tables and fingers before the loop: only construction allocates.
   god::SoftFinger finger(lc::Table::build(lc::hertz(), 1e-6), parameters);
 

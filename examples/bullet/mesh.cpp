@@ -96,9 +96,7 @@ int main() {
   block.setWorldTransform(btTransform(btQuaternion::getIdentity(), {5, 0, 0}));
   world.addCollisionObject(&block);
 
-  god::FingerParameters skin;
-  skin.mu = 0.6;
-  skin.radius_law = lc::RadiusLaw::constant(0.006);
+  const god::FingerParameters skin{.mu = 0.6, .radius_law = lc::RadiusLaw::constant(0.006)};
   BallFinger finger(god::SoftFinger(lc::Table::build(lc::hertz(), 1e-8), skin), 0.005);
   const auto at = [](double x, double z) {
     return btTransform(btQuaternion::getIdentity(), {btScalar(x), 0, btScalar(z)});

@@ -55,11 +55,8 @@ int main() {
   world.addRigidBody(&ground);
   world.addRigidBody(&puck);
 
-  god::FingerParameters skin;
-  skin.mu = 0.6;
-  skin.radius_law = lc::RadiusLaw::constant(0.006);
-  skin.stiffness = 20000;
-  skin.twist_stiffness = 0.72;
+  const god::FingerParameters skin{
+      .mu = 0.6, .radius_law = lc::RadiusLaw::constant(0.006), .stiffness = 20000, .twist_stiffness = 0.72};
   SoftPad pad{&puck, god::SoftFinger(lc::Table::build(lc::hertz(), 1e-8), skin)};
   world.setInternalTickCallback(SoftPad::brake, &pad, true);
 

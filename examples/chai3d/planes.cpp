@@ -42,9 +42,7 @@ int main() {
   cMesh* ceiling = plane(0.03, down, 0.4, 0.4);
 
   const double mu = 0.6, a = 0.006;
-  godobject::FingerParameters skin;
-  skin.mu_r = mu * hertz()->moment_ratio() * a;
-  skin.twist_stiffness = 0.036;
+  const godobject::FingerParameters skin{.mu_r = mu * hertz()->moment_ratio() * a, .twist_stiffness = 0.036};
   cAlgorithmSoftFinger* finger = new cAlgorithmSoftFinger(Table::build(hertz(), 1e-8), skin);
   cToolSoftFinger tool(&world, finger);
   tool.setRadius(0);
