@@ -310,18 +310,16 @@ void add_closed_curves(nb::module_& module) {
              new (&self) PyCurve(std::apply(closed_curve, state));
            })
       .def("__repr__", [](const PyCurve& self) { return "<" + self.name + ">"; });
-  define_static(
-      module, "def ellipse(force_max: float, moment_max: float) -> Curve",
-      [](const BoundArguments& given) {
-        return closed_curve("ellipse", number_of(given[0], "force_max"), number_of(given[1], "moment_max"));
-      },
-      "The ellipse with these semi-axes in unit wrenches; the usual one is ellipse(1, law.moment_ratio).");
-  define_static(
-      module, "def box(force_max: float, moment_max: float) -> Curve",
-      [](const BoundArguments& given) {
-        return closed_curve("box", number_of(given[0], "force_max"), number_of(given[1], "moment_max"));
-      },
-      "Separate limits of force and moment; only with projection='closest-point'.");
+  const auto add = [&](const std::string& name, const char* doc) {
+    define_static(
+        module, "def " + name + "(force_max: float, moment_max: float) -> Curve",
+        [name](const BoundArguments& given) {
+          return closed_curve(name, number_of(given[0], "force_max"), number_of(given[1], "moment_max"));
+        },
+        doc);
+  };
+  add("ellipse", "The ellipse with these semi-axes in unit wrenches; the usual one is ellipse(1, law.moment_ratio).");
+  add("box", "Separate limits of force and moment; only with projection='closest-point'.");
 }
 
 }  // namespace

@@ -31,31 +31,43 @@ constexpr const char* any_vector = "collections.abc.Sequence[float] | numpy.typi
 constexpr const char* plain_vector = "tuple[float, float, float] | numpy.typing.NDArray[numpy.float64]";
 
 /// A method that takes a contact with a depth or a load, and the device's twist or orientation.
-std::string step_signature(const char* name, const char* depth_or_load, const std::string& held,
+std::string step_signature(const std::string& name, const char* depth_or_load, const std::string& held,
                            const std::string& vector = any_vector) {
-  return std::string("def ") + name + "(self, point: " + vector + ", normal: " + vector + ", " + depth_or_load +
-         ": float, " + held + ", dt: float = 0.0, landed: bool = False) -> FingerOutput";
+  return "def " + name + "(self, point: " + vector + ", normal: " + vector + ", " + depth_or_load + ": float, " + held +
+         ", dt: float = 0.0, landed: bool = False) -> FingerOutput";
 }
 
-/// A step twice: of plain values, and of all kinds.
+Orientation orientation_of(nb::handle given) {
+  const Eigen::Vector4d q = four_numbers(given, "orientation");
+  return {q[0], q[1], q[2], q[3]};
+}
+
+/// A step with the device's twist, of plain values and of all kinds, and NAME_pose with its orientation.
 template <class Self, class Step>
-void define_step(nb::class_<PyFinger>& type, const char* name, const char* depth_or_load, const Step& step,
-                 const char* doc) {
+void define_step(nb::class_<PyFinger>& type, const std::string& name, const char* depth_or_load, const Step& step,
+                 const char* doc, const char* pose_doc) {
+  const char* const twist = "twist: float";
   type.def(
-      name,
-      [step](Self self, const PlainVector& point, const PlainVector& normal, PlainNumber of, PlainNumber twist,
+      name.c_str(),
+      [step](Self self, const PlainVector& point, const PlainVector& normal, PlainNumber of, PlainNumber held,
              PlainNumber dt,
-             bool landed) { return step(self, point.value, normal.value, of.value, twist.value, dt.value, landed); },
+             bool landed) { return step(self, point.value, normal.value, of.value, held.value, dt.value, landed); },
       nb::arg("point"), nb::arg("normal"), nb::arg(depth_or_load), nb::arg("twist"), nb::arg("dt") = 0.0,
-      nb::arg("landed") = false, nb::sig(step_signature(name, depth_or_load, "twist: float", plain_vector).c_str()));
-  define<Self>(
-      type, step_signature(name, depth_or_load, "twist: float"),
-      [=](Self self, const BoundArguments& given) {
-        return step(self, three_numbers(given[0], "point"), three_numbers(given[1], "normal"),
-                    number_of(given[2], depth_or_load), number_of(given[3], "twist"), number_of(given[4], "dt", 0.0),
-                    truth_of(given[5]));
-      },
-      doc);
+      nb::arg("landed") = false, nb::sig(step_signature(name, depth_or_load, twist, plain_vector).c_str()));
+  const auto define_held = [&](const std::string& own_name, const std::string& held, const auto& held_of,
+                               const char* own_doc) {
+    define<Self>(
+        type, step_signature(own_name, depth_or_load, held),
+        [=](Self self, const BoundArguments& given) {
+          return step(self, three_numbers(given[0], "point"), three_numbers(given[1], "normal"),
+                      number_of(given[2], depth_or_load), held_of(given[3]), number_of(given[4], "dt", 0.0),
+                      truth_of(given[5]));
+        },
+        own_doc);
+  };
+  define_held(
+      name, twist, [](nb::handle given) { return number_of(given, "twist"); }, doc);
+  define_held(name + "_pose", std::string("orientation: ") + any_vector, &orientation_of, pose_doc);
 }
 
 constexpr const char* update_doc =
@@ -77,33 +89,6 @@ constexpr const char* update_under_load_doc =
     "motion friction sees. With a load <= 0 the finger is free; one that is not finite is bad input. The output has "
     "that load, and\n"
     "NaN for the depth. Friction reaches its limit on a surface of any radius. The rest as in `update`.";
-
-Contact contact_of(const BoundArguments& given) {
-  return {three_numbers(given[0], "point"),
-          three_numbers(given[1], "normal"),
-          number_of(given[2], "depth"),
-          {},
-          truth_of(given[5])};
-}
-
-Orientation orientation_of(nb::handle given) {
-  const Eigen::Vector4d q = four_numbers(given, "orientation");
-  return {q[0], q[1], q[2], q[3]};
-}
-
-FingerOutput update_pose(PyFinger& finger, const BoundArguments& given) {
-  return finger.update(contact_of(given), orientation_of(given[3]), number_of(given[4], "dt", 0.0));
-}
-
-FingerOutput update_under_load_pose(PyFinger& finger, const BoundArguments& given) {
-  return finger.update_under_load(three_numbers(given[0], "point"), three_numbers(given[1], "normal"),
-                                  number_of(given[2], "load"), orientation_of(given[3]), number_of(given[4], "dt", 0.0),
-                                  truth_of(given[5]));
-}
-
-FingerOutput preview_pose(const PyFinger& finger, const BoundArguments& given) {
-  return finger.preview(contact_of(given), orientation_of(given[3]), number_of(given[4], "dt", 0.0));
-}
 
 void change(PyFinger& finger, const BoundArguments& given) {
   nb::dict all = read_files(without(given.by_name, ""));
@@ -232,24 +217,19 @@ void add_finger_types(nb::module_& module) {
   using Vector = Eigen::Vector3d;
   define_step<PyFinger&>(
       type, "update", "depth",
-      [](PyFinger& self, const Vector& point, const Vector& normal, double depth, double twist, double dt,
+      [](PyFinger& self, const Vector& point, const Vector& normal, double depth, const auto& held, double dt,
          bool landed) {
-        return self.update({point, normal, depth, {}, landed}, twist, dt);
+        return self.update({point, normal, depth, {}, landed}, held, dt);
       },
-      update_doc);
-  const std::string orientation = std::string("orientation: ") + any_vector;
-  define<PyFinger&>(
-      type, step_signature("update_pose", "depth", orientation), &update_pose,
+      update_doc,
       "The same with the device's orientation (w, x, y, z; finger to surface) in place of its twist about the normal.");
   define_step<const PyFinger&>(
       type, "preview", "depth",
-      [](const PyFinger& self, const Vector& point, const Vector& normal, double depth, double twist, double dt,
+      [](const PyFinger& self, const Vector& point, const Vector& normal, double depth, const auto& held, double dt,
          bool landed) {
-        return self.preview({point, normal, depth, {}, landed}, twist, dt);
+        return self.preview({point, normal, depth, {}, landed}, held, dt);
       },
-      "What `update` would give; nothing changes.");
-  define<const PyFinger&>(type, step_signature("preview_pose", "depth", orientation), &preview_pose,
-                          "What `update_pose` would give; nothing changes.");
+      "What `update` would give; nothing changes.", "What `update_pose` would give; nothing changes.");
   define<PyFinger&>(type, "def change(self, *, " + parameters_signature() + ") -> None", &change,
                     "Other parameters in the loop, as where the finger touches another material: those that are absent "
                     "have their default,\n"
@@ -266,12 +246,9 @@ void add_finger_types(nb::module_& module) {
       "Takes the state of another finger: proxy, memories and output, not its parameters.");
   define_step<PyFinger&>(
       type, "update_under_load", "load",
-      [](PyFinger& self, const Vector& point, const Vector& normal, double load, double twist, double dt, bool landed) {
-        return self.update_under_load(point, normal, load, twist, dt, landed);
-      },
-      update_under_load_doc);
-  define<PyFinger&>(type, step_signature("update_under_load_pose", "load", orientation), &update_under_load_pose,
-                    "The same with the device's orientation in place of its twist.");
+      [](PyFinger& self, const Vector& point, const Vector& normal, double load, const auto& held, double dt,
+         bool landed) { return self.update_under_load(point, normal, load, held, dt, landed); },
+      update_under_load_doc, "The same with the device's orientation in place of its twist.");
   define<PyFinger&>(type, "def reset(self) -> None", &SoftFinger::reset, "Back to the state before any contact.");
   type.def_prop_ro(
       "output", [](const PyFinger& self) { return self.output(); }, "Result of the last step.");

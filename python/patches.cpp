@@ -116,7 +116,9 @@ std::string sides(nb::handle first, const char* first_name, nb::handle second, c
 }
 
 /// A kind of patch from columns of numbers.
-PyPatch of_columns(const char* kind, const std::vector<std::string>& names, const nb::list& columns) {
+PyPatch of_columns(const char* kind, const std::vector<std::string>& names, const BoundArguments& given) {
+  nb::list columns;
+  for (const nb::object& column : given) columns.append(column);
   const auto all = columns_of("", names, columns);
   cli::PatchArgument made{.kind = kind, .columns = all.size()};
   for (std::size_t row = 0; row < all[0].size; ++row) {
@@ -322,13 +324,13 @@ void add_patches(nb::module_& module) {
   define_static(
       type, "def points(x: ArrayLike, y: ArrayLike, load: ArrayLike) -> Patch",
       [](const BoundArguments& given) {
-        return of_columns("points", {"x", "y", "load"}, nb::list(nb::make_tuple(given[0], given[1], given[2])));
+        return of_columns("points", {"x", "y", "load"}, given);
       },
       "Points [m] with loads >= 0 of any unit.");
   define_static(
       type, "def polygon(x: ArrayLike, y: ArrayLike) -> Patch",
       [](const BoundArguments& given) {
-        return of_columns("polygon", {"x", "y"}, nb::list(nb::make_tuple(given[0], given[1])));
+        return of_columns("polygon", {"x", "y"}, given);
       },
       "Uniform pressure on a simple polygon [m].");
   define_static(type,

@@ -57,7 +57,8 @@ def c_names():
 def python_names():
     sources = "".join(text("python", name) for name in ("fingers.cpp", "batches.cpp"))
     found = set(re.findall(r'(?:nb::arg|def_ro|def_prop_ro|add_view|\.def|step_signature)\(\s*"(\w+)"', sources))
-    found.update(*re.findall(r'define_step<.*?>\(\s*type, "(\w+)", "(\w+)"', sources))
+    for name, number in re.findall(r'define_step<.*?>\(\s*type, "(\w+)", "(\w+)"', sources):
+        found |= {name, name + "_pose", number}
     for name, signature in re.findall(r'"def (\w+)\((.*?)\) ->', re.sub(r'"\s*\n\s*"', "", sources)):
         found |= {name, *re.findall(r"(\w+): ", signature)}
     found |= set(re.findall(r"(\w+): ", re.search(r"string step_signature\(.*?\n\}", sources, re.DOTALL)[0]))
