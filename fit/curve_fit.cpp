@@ -6,7 +6,6 @@
 #include "fit/internal/report.hpp"
 #include "limitcurve/exact_curve.hpp"
 
-#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>

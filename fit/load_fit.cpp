@@ -7,7 +7,6 @@
 #include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>

@@ -5,15 +5,11 @@
 #include "godobject/finger/finger_parameter_table.hpp"
 #include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/version.hpp"
 
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
-#include <cstring>
 #include <exception>
-#include <stdexcept>
-#include <string>
 
 namespace limitcurve::python {
 

@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <filesystem>
 #include <initializer_list>
 #include <system_error>

@@ -7,10 +7,8 @@
 #include "limitcurve/measured/own_radii.hpp"
 #include "limitcurve/pressure_law.hpp"
 
-#include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <vector>
 
 namespace limitcurve::cli {
 

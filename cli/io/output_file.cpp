@@ -6,9 +6,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <random>
-#include <stdexcept>
 #include <system_error>
-#include <utility>
 
 namespace limitcurve::cli {
 

@@ -16,10 +16,8 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <vector>
 
 namespace limitcurve::cli {
 

@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <fstream>
 #include <stdexcept>
-#include <string_view>
 
 namespace limitcurve::cli {
 

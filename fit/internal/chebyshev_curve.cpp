@@ -4,7 +4,6 @@
 #include "limitcurve/laws.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace limitcurve::fit::internal {

@@ -12,8 +12,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
-#include <vector>
 
 namespace limitcurve::fit::internal {
 

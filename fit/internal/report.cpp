@@ -4,8 +4,6 @@
 
 #include "limitcurve/internal/number.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace limitcurve::fit::internal {
