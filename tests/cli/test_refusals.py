@@ -24,7 +24,7 @@ def each(text):
 
 def refusals():
     """Words, content of a file, and texts of the error."""
-    names, begin = {"DATA": str(DATA)}, ""
+    names, begin = {"DATA": shlex.quote(str(DATA))}, ""
     for line in Path(__file__).with_name("refusals.txt").read_text(encoding="utf-8").splitlines():
         line = re.sub(r"\$([A-Z]+)", lambda name: names[name[1]], line)
         if name := re.fullmatch(r"([A-Z]+) = (.*)", line):
