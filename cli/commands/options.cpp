@@ -4,6 +4,7 @@
 #include "cli/io/argument_parts.hpp"
 #include "godobject/finger/finger_parameter_table.hpp"
 #include "limitcurve/internal/did_you_mean.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <cctype>
