@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ranges>
 
 namespace limitcurve::godobject {
@@ -40,6 +41,10 @@ template <std::ranges::forward_range Contacts>
   const auto leave = [&](const Contact& wall) { way = wall.normal * (wall.depth / wall.normal.squaredNorm()); };
   const auto missing = [&](const Contact& at) { return at.depth > 0.0 ? at.depth - at.normal.dot(way) : -most; };
   const auto is_inside = [&](const Contact& wall) { return missing(wall) > 1e-9 * most; };
+  // Walls of one direction have no edge, and no point on all of them.
+  const auto ratio = [](double length, double slope) {
+    return slope != 0.0 ? length / slope : std::numeric_limits<double>::quiet_NaN();
+  };
   leave(deepest);
   if (!(most > 0.0) || std::none_of(contacts.begin(), contacts.end(), is_inside)) return deepest;
   // One wall after the other: if x + way is inside of it, the nearest point is on it. Among the walls before it search
@@ -53,9 +58,9 @@ template <std::ranges::forward_range Contacts>
       leave(*i);
       const Eigen::Vector3d edge = (*i).normal.cross((*j).normal);
       const Eigen::Vector3d across = edge.cross((*i).normal);
-      way += across * (missing(*j) / across.dot((*j).normal));
+      way += across * ratio(missing(*j), across.dot((*j).normal));
       for (auto k = contacts.begin(); k != j; ++k)
-        if (is_inside(*k)) way += edge * (missing(*k) / edge.dot((*k).normal));
+        if (is_inside(*k)) way += edge * ratio(missing(*k), edge.dot((*k).normal));
     }
   }
   for (const Contact& a : contacts)

@@ -283,7 +283,7 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
       moment += pressure * radius * radius;
       most = std::max(most, pressure);
     }
-    const bool is_flat = pressures[9] < 0.1 * most && std::fabs(pressures[9] / pressures[8] - 1.0) < 0.25;
+    const bool is_flat = pressures[9] < 0.1 * most && std::fabs(pressures[9] - pressures[8]) < 0.25 * pressures[8];
     return is_flat && moments[9] > 0.01 * moment ? moments[9] / moment : 0.0;
   }
   const std::vector<Extended>& breaks() const noexcept override { return breaks_; }

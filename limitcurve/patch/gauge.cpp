@@ -69,7 +69,10 @@ class Search {
     constexpr double met = 1e-13;
     if (std::isnan(wrench.fx) || std::isnan(wrench.fy) || std::isnan(wrench.moment)) return;
     const auto [mx, my] = patch.factors();
-    const double moment = wrench.moment == 0.0 ? 0.0 : wrench.moment / m0_;
+    // A single point bears no moment.
+    const double moment = wrench.moment == 0.0 ? 0.0
+                          : m0_ > 0.0          ? wrench.moment / m0_
+                                               : std::copysign(std::numeric_limits<double>::infinity(), wrench.moment);
     gauge = std::hypot(std::hypot(wrench.fx / mx, wrench.fy / my), moment);
     if (!(gauge > 0.0 && std::isfinite(gauge))) return;
     w_ = {wrench.fx / mx / gauge, wrench.fy / my / gauge, moment / gauge};
@@ -170,8 +173,9 @@ class Search {
       std::size_t leaves = 3;
       double step = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < 3; ++k) {
+        if (!(change[k] > least_pivot)) continue;
         const double length = std::max(now[k], 0.0) / change[k];
-        if (change[k] > least_pivot && length < step) step = length, leaves = k;
+        if (length < step) step = length, leaves = k;
       }
       if (leaves == 3) return;
       facet.points[leaves] = column;
