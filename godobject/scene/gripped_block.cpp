@@ -44,9 +44,10 @@ void GrippedBlock::take(double load) noexcept {
 void GrippedBlock::step(double load, double time_step) noexcept {
   // The depth at which spring and damper together give that load.
   const FingerParameters& finger = grasp_.finger(0).parameters();
-  const double rate = finger.damping / time_step;
-  if (time_step > 0.0 && is_time_step(time_step) && std::isfinite(load))
+  if (time_step > 0.0 && is_time_step(time_step) && std::isfinite(load)) {
+    const double rate = finger.damping / time_step;
     depth_ = load > 0.0 ? (load + rate * depth_) / (finger.stiffness + rate) : 0.0;
+  }
   // A load that is not finite is a force that is none.
   grasp_.step(devices(), time_step, Eigen::Vector3d::Constant(0.0 * load));
   const Orientation& orientation = grasp_.body().orientation;

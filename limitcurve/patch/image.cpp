@@ -239,10 +239,11 @@ std::string remark_on_offset(const std::vector<double>& pressures, std::size_t c
     sum += pressures[i];
     squares += pressures[i] * pressures[i];
   }
+  if (count == 0.0) return {};
   const double level = sum / count;
   const double above = *std::max_element(pressures.begin(), pressures.end()) - level;
   const double most = flat * std::min(level, above);
-  if (!(level > least * above && squares / count - level * level <= most * most)) return {};
+  if (!(level > least * above && above > least * level && squares / count - level * level <= most * most)) return {};
   return "the outer tenth of the image is flat at " + format_number(level, 5) +
          ": if that is an offset of the sensor, subtract it from all pixels, because floor=P does not";
 }
