@@ -17,8 +17,8 @@ struct PressureSample {
 /// A measured pressure profile, scaled to load 1. Evaluated by ring, piece by piece.
 ///  - Between samples: a monotone cubic, which does not overshoot (Fritsch and Carlson 1980; slopes by Fritsch and
 ///  Butland 1984).
-///  - From the centre to the first radius: the pressure of the first sample. From the last radius to a rim farther out:
-///  none; the error includes that the pressure may go on there as at the last radius. `remarks` warns of both.
+///  - From the centre to the first radius the pressure is that of the first sample. From the last radius to a rim
+///  farther out it is 0, and the error includes that it may go on as at the last radius. `remarks` warns of both.
 ///  - Two samples at the same radius make a jump. A repeated sample is ignored.
 ///  - `rim`: the radius, in the unit of the samples, that the contact radius a stands for; 0 for the last radius with
 ///  pressure. That is
