@@ -68,9 +68,7 @@ units of mu P, and of the moment in units of the largest moment), and bytes.)",
       throw std::runtime_error("table of " + table.law_name() + " in single precision: choose a --tolerance of " +
                                format_number(least) + " or more");
     }
-    AtomicFile file(file_);
-    file.output().write(text_of(table));
-    file.commit();
+    AtomicFile::write(file_, text_of(table));
     Rows rows(results, {"law", "tolerance", "checked_error", "nodes", "bytes", "profile_error"});
     rows.row(table.law_name(), tolerance, error, table.cell_count(), table.bytes() / (is_single_ ? 2 : 1),
              table.profile_error());
@@ -85,9 +83,7 @@ units of mu P, and of the moment in units of the largest moment), and bytes.)",
           "--preferred-bytes, --name, --real have no effect with --patch, whose tables have one form: leave them out");
     const PatchTableWriter text_of = patch_table_writer(file_, "--output");
     const auto table = PatchTable::build(patch, tolerance_.value_or(PatchTable::default_tolerance), patch_);
-    AtomicFile file(file_);
-    file.output().write(text_of(table));
-    file.commit();
+    AtomicFile::write(file_, text_of(table));
     Rows rows(results, {"patch", "tolerance", "checked_error", "bytes"});
     rows.row(patch_, table.tolerance(), table.checked_error(), table.bytes());
     rows.finish();

@@ -60,6 +60,12 @@ std::filesystem::path target_of(std::filesystem::path path) {
 
 }  // namespace
 
+void AtomicFile::write(const std::string& name, std::string_view text) {
+  AtomicFile file(name);
+  file.output().write(text);
+  file.commit();
+}
+
 AtomicFile::AtomicFile(std::string name)
     : name_(std::move(name)), target_(descriptor::path_of(name_)), descriptor_(open()), output_(descriptor_, name_) {}
 

@@ -50,6 +50,9 @@ class OutputFile {
 /// A pipe or a device is not replaced but written. Failures throw std::runtime_error with file and cause.
 class AtomicFile {
  public:
+  /// The whole file.
+  static void write(const std::string& name, std::string_view text);
+
   explicit AtomicFile(std::string name);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
