@@ -79,8 +79,8 @@ def test_another_interpreter_is_told_so_and_the_first_goes_on():
         "    assert 'ImportError' in repr(failed), failed\n"
         "    assert repr(law).startswith('Law') and law.evaluate([0.5])[0] == "
         "limitcurve.Law('hertz').evaluate([0.5])[0] > 0\n"
-        "    assert limitcurve.SoftFinger(limitcurve.Table(law, 1e-4), mu=1).update((0, 0, 0), (0, 0, 1), 0.001, 0).load "
-        "== 1\n"
+        "    assert limitcurve.SoftFinger(limitcurve.Table(law, 1e-4), mu=1).update((0, 0, 0), (0, 0, 1), 0.001, 0)"
+        ".load == 1\n"
         "    try:\n        limitcurve.Law('herz')\n    except ValueError as error:\n        assert 'herz' in "
         "str(error)\n"
         "    else:\n        assert False\n")
