@@ -187,6 +187,7 @@ makes its contact `invalid`; the last output of that contact stays.
         std::size_t n = 0;
         if (!nb::try_cast(given[1], n)) refuse("n", given[1], "a whole number >= 0");
         PyBatch made{.contacts = {}, .curve = given[0], .given = read_files(without(given.by_name, "curve"))};
+        warn_without_skin("Batch", made.given);
         made.given["n"] = n;
         const Projection projection = projection_of(given[3]);
         const FingerParameters parameters = parameters_of(made.given, curve_of<double>(curve).moment_ratio());

@@ -88,6 +88,20 @@ FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
   return parameters;
 }
 
+void warn_without_skin(const char* type, const nb::dict& given, bool of_patch) {
+  FingerParameters assumed;
+  bool is_given = given.contains("radius_law");
+  for_each_number(assumed, [&](const ParameterInfo& number, auto&) {
+    is_given = is_given || given.contains(std::string(number.name).c_str());
+  });
+  if (is_given) return;
+  const std::string radius = format_number(assumed.radius_law.radius(1.0));
+  warn(std::string(type) + " without mu, stiffness, twist_stiffness" +
+       (of_patch ? "" : " and radius_law (or mu_r), so a = " + radius + " m") + ": it has mu " +
+       format_number(assumed.mu) + ", " + format_number(assumed.stiffness) + " N/m and " +
+       format_number(assumed.twist_stiffness) + " N m/rad");
+}
+
 void ask_unit(const RadiusLaw& law) {
   const auto [first, last] = law.sampled_loads();
   cli::UnitChecks questions;

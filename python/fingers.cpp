@@ -188,6 +188,7 @@ void add_finger_types(nb::module_& module) {
           throw std::invalid_argument(
               "radius_law, projection: not with a Patch, which has its own size and the closest point");
         static_cast<void>(parameters.bind(nb::borrow<nb::args>(nb::make_tuple(patch) + others), given));
+        warn_without_skin("SoftFinger", given, true);
         const auto& on = nb::cast<const PyPatch&>(patch);
         const nb::object radius = given.contains("point_radius") ? given["point_radius"] : nb::object(nb::float_(0.0));
         new (self) PyFinger(SoftFinger(on, parameters_of(given, on.moment_ratio()), number_of(radius, "point_radius")),
@@ -201,12 +202,7 @@ void add_finger_types(nb::module_& module) {
       type, of_curve,
       [](PyFinger* self, const BoundArguments& given) {
         const nb::dict all = read_files(without(given.by_name, "curve"));
-        if (without(all, "projection").size() == 0) {
-          const FingerParameters assumed;
-          warn("SoftFinger without mu, radius_law (or mu_r), stiffness, twist_stiffness: it has mu " +
-               format_number(assumed.mu) + ", a = " + format_number(assumed.radius_law.radius(1.0)) + " m, " +
-               format_number(assumed.stiffness) + " N/m and " + format_number(assumed.twist_stiffness) + " N m/rad");
-        }
+        warn_without_skin("SoftFinger", all);
         FingerCurve on = curve_of<double>(given[0]);
         const FingerParameters parameters = parameters_of(all, on.moment_ratio());
         new (self) PyFinger(SoftFinger(std::move(on), parameters, projection_of(given[1])), given[0], all);

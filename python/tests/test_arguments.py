@@ -218,8 +218,12 @@ def test_values_say_what_they_are():
         lc.Patch.points([0, 0.01], [0, 0], [1, 1]))
     assert repr(lc.SoftFinger(TABLE, mu=0.25)) == f"<SoftFinger on {TABLE!r}, mu 0.25>"
     assert repr(lc.Batch(TABLE, 3, dtype=np.float32)) == f"<Batch of 3 contacts on {TABLE!r}, float32>"
-    with pytest.warns(UserWarning, match="without mu, radius_law"):
+    with pytest.warns(UserWarning, match=r"^SoftFinger without mu, .* and radius_law \(or mu_r\), so a = 0.005 m"):
         finger = lc.SoftFinger(TABLE)
+    with pytest.warns(UserWarning, match="^SoftFinger without mu, stiffness, twist_stiffness: it has mu 0.5"):
+        lc.SoftFinger(PATCH)
+    with pytest.warns(UserWarning, match="^Batch without mu"):
+        lc.Batch(TABLE, 3)
     assert "not finite" in repr(finger.update((0, 0, np.nan), (0, 0, 1), 0.001, 0))
     assert TABLE == lc.Table("hertz", tolerance=1e-8) and TABLE != lc.Table(
         "hertz", tolerance=1e-6) and TABLE != 3 and len({TABLE, lc.Table("hertz", 1e-8)}) == 1
