@@ -8,7 +8,7 @@ namespace limitcurve::godobject::test {
 namespace {
 
 /// The place on a ball of this radius [m] after a way along a great circle; the force there, along and across it.
-struct Ball {
+struct GreatCircle {
   double radius;
 
   [[nodiscard]] Vector3d normal(double way) const { return {std::sin(way / radius), 0.0, std::cos(way / radius)}; }
@@ -36,8 +36,8 @@ TEST(GivenLoad, FrictionOnABallIsNearlyThePlanes) {
   for (const SoftFinger& finger : fingers()) {
     for (const auto& [radius, within] :
          {std::pair{0.05 * longest, 0.3}, {0.2 * longest, 0.3}, {4.0 * longest, 0.04}, {1e3, 2e-4}}) {
-      const Ball ball{radius};
-      const Ball plane{infinity};
+      const GreatCircle ball{radius};
+      const GreatCircle plane{infinity};
       SoftFinger round = finger;
       SoftFinger flat = finger;
       int slips = 0;
@@ -100,7 +100,7 @@ TEST(GivenLoad, ABallIsAFunctionOfThePoseFromARadius) {
   for (const double radius : {1.0, 3.7, 4.0, 8.0}) {  // in units of μP/k_l
     SoftFinger finger = hertz_finger(parameters(0.8, 0.005, 144.0, 0.01));
     constexpr double longest = 0.8 * 2.0 / 144.0;
-    const Ball ball{radius * longest};
+    const GreatCircle ball{radius * longest};
     const auto at = [&](double way) { return finger.update_under_load(ball.point(way), ball.normal(way), 2.0, 0.0); };
     for (int i = 0; i <= 3000; ++i) at(1e-3 * i * longest);
     const double back = 2.99 * longest;
@@ -172,7 +172,7 @@ TEST(GivenLoad, ADamperBrakesOnABallSmallerThanTheDeflection) {
   with.damping = 1.44;
   for (const double radius : {4e-3, 0.03, 0.1, infinity}) {
     SoftFinger finger = hertz_finger(with);
-    const Ball ball{radius};
+    const GreatCircle ball{radius};
     for (int i = 0; i < 20; ++i) finger.update_under_load(ball.point(1e-5 * i), ball.normal(1e-5 * i), 3.4, 0.0, 1e-3);
     EXPECT_EQ(finger.output().state, ContactState::stick);
     const auto chord = [&](double way) { return std::isinf(radius) ? way : radius * std::sin(way / radius); };
