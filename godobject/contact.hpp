@@ -39,9 +39,9 @@ template <class Real, class Number>
 /// library.
 using Orientation = Eigen::Quaternion<double, Eigen::DontAlign>;
 
-/// Takes a direction or an orientation by the rule of every door: within 1e-6 of unit length it keeps its bits, within
-/// 1e-2 it is normalised, because sensors round and engines count in single precision. Otherwise it is a fault: returns
-/// false and changes nothing.
+/// Takes a direction or an orientation by the rule of every door. Within 1e-6 of unit length, it keeps its bits. Within
+/// 1e-2, it is normalised, because sensors round and engines count in single precision. Otherwise it is a fault, so
+/// this returns false and changes nothing.
 template <class Direction>
 bool make_unit(Direction& direction) noexcept {
   const double square = direction.squaredNorm();
@@ -69,12 +69,8 @@ struct BodyPose {
   Orientation orientation = Orientation::Identity();   ///< body to world, within 1e-2 of unit length
 
   /// The turn from the body's axes to the world's, normalised.
-  [[nodiscard]] Orientation out_of_body() const noexcept {
-    Orientation turn = orientation;
-    make_unit(turn);
-    return turn;
-  }
-  /// Its inverse. If the orientation is none, NaN, which the finger names as a fault.
+  [[nodiscard]] Orientation out_of_body() const noexcept { return into_body().conjugate(); }
+  /// The inverse turn. If the orientation is no rotation, these turns are NaN, which the finger names as a fault.
   [[nodiscard]] Orientation into_body() const noexcept {
     Orientation turn = orientation.conjugate();
     if (!make_unit(turn)) turn.w() = std::numeric_limits<double>::quiet_NaN();
@@ -89,8 +85,8 @@ struct BodyPose {
 };
 
 /// The state of a contact query between steps: the face that the finger is on, so that a finger pressed deep into a
-/// thin plate does not come out at the other side. Plain data, one for each finger; a SoftFinger keeps that of its last
-/// good sample.
+/// thin plate does not come out at the other side. Plain data, one for each finger; a SoftFinger keeps the state of the
+/// last good sample.
 struct ContactMemory {
   int face = -1;       ///< the face touched in the last step; < 0: none
   Numbers finger{};    ///< the finger's position in the last step [m]

@@ -16,7 +16,7 @@
 
 namespace limitcurve::godobject {
 
-/// Everything about a soft finger except its limit curve: friction, contact radius, springs, dampers, fault handling.
+/// Everything about a soft finger except the limit curve: friction, contact radius, springs, dampers, fault handling.
 /// SI units, radians.
 struct FingerParameters {
   double mu = 0.5;                                    ///< coefficient of static friction μ, ≥ 0
@@ -79,7 +79,7 @@ enum class Fault : std::uint8_t {
   not_finite,   ///< a NaN or infinity in a position, normal, orientation or twist
   too_far,      ///< beyond `farthest`
   orientation,  ///< the length of the device's orientation is off 1 by more than 1e-2
-  normal,       ///< that of the contact's normal is
+  normal,       ///< the length of the contact's normal is off 1 by more than 1e-2
   time_step,    ///< < 0 or not finite
   speed,        ///< farther from the last good sample than `max_speed` allows
   body,         ///< the touched body's pose (Grasp, Replay) is not finite, beyond `farthest`, or not of unit length
@@ -129,9 +129,18 @@ struct FingerOutput {
   [[nodiscard]] Eigen::Vector3d moment_vector() const noexcept { return normal * moment; }
 };
 
-/// The result of a step in a body's frame, as the world sees it.
+/// The result of a step in a body's frame, as the world sees it. If the pose is no rotation, or not finite, nothing can
+/// turn the force, so force, load and moment are 0 and the state is `invalid` by Fault::body. Pass the last good pose
+/// to keep the force.
 [[nodiscard]] inline FingerOutput to_world(const BodyPose& body, FingerOutput output) noexcept {
   const Orientation turn = body.out_of_body();
+  if (!(turn.squaredNorm() < 2.0 && is_plausible<double>(body.position.squaredNorm()))) {
+    output.force.setZero();
+    output.load = output.moment = 0.0;
+    output.state = ContactState::invalid;
+    output.fault = Fault::body;
+    return output;
+  }
   output.proxy = body.position + turn * output.proxy;
   output.normal = turn * output.normal;
   output.force = turn * output.force;

@@ -107,7 +107,7 @@ TEST(SoftFinger, TakesDirectionsOfNearlyUnitLength) {
   const Vector3d normal = Vector3d(0.1, -0.2, 1.0).normalized();
   const Orientation turn(AngleAxisd(0.3, Vector3d(0.6, 0.0, 0.8)));
   const AnySurface plane(PlaneSurface{});
-  for (const double length : {0.98, 0.9901, 0.9995, 1.0 - 9e-7, 1.0 + 9e-7, 1.0001, 1.0099, 1.02}) {
+  for (const double length : {0.0, 0.98, 0.9901, 0.9995, 1.0 - 9e-7, 1.0 + 9e-7, 1.0001, 1.0099, 1.02, 1e3}) {
     const bool is_bad = std::fabs(length - 1.0) > 1e-2;
     const bool is_kept = std::fabs(length - 1.0) < 1e-6;
     const Vector3d long_normal = length * normal;
@@ -132,7 +132,10 @@ TEST(SoftFinger, TakesDirectionsOfNearlyUnitLength) {
       expect(finger.update(to_body(body, near), to_body(body, long_turn)),
              other.update(to_body({body.position, turn}, exact), to_body({body.position, turn}, turn)),
              Fault::not_finite);
-      EXPECT_TRUE(to_world(body, finger.output()).whole_force().allFinite());
+      const FingerOutput seen = to_world(body, finger.output());
+      EXPECT_NEAR(seen.whole_force().norm(), is_bad ? 0.0 : finger.output().whole_force().norm(), 4e-6) << length;
+      EXPECT_TRUE(!is_bad || seen.fault == Fault::body) << length;
+      EXPECT_EQ(to_world({{std::nan(""), 0.0, 0.0}, turn}, finger.output()).whole_force().norm(), 0.0);
     }
   }
 }
