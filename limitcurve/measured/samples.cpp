@@ -49,12 +49,13 @@ std::vector<std::size_t> places_of_samples(std::span<const PressureSample> rows)
 /// the root of the squares.
 class SamplesLaw final : public PressureLawOf<SamplesLaw> {
  public:
-  /// `named_rim` 0: the last radius is the rim. `notes` are remarks on the data.
+  /// `named_rim` 0: the last radius is the rim. `notes` are remarks on the data. `is_rim_told`: by the user.
   SamplesLaw(std::span<const PressureSample> profile, std::string_view source, double named_rim,
-             std::vector<std::string> notes)
+             std::vector<std::string> notes, bool is_rim_told)
       : source_(source),
         named_rim_(named_rim),
         rim_(named_rim > 0.0 ? named_rim : profile.back().radius),
+        is_rim_told_(is_rim_told),
         notes_(std::move(notes)),
         profile_(profile.begin(), profile.end()),
         pieces_(cubics(profile, source, rim_, named_rim > 0.0)) {
@@ -136,7 +137,7 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
   double rim() const noexcept override { return rim_; }
   [[nodiscard]] Law with_own_radii() const {
     return std::make_shared<SamplesLaw>(profile_, source_, named_rim_ > 0.0 ? named_rim_ : profile_.back().radius,
-                                        notes_);
+                                        notes_, is_rim_told_);
   }
   std::vector<std::string> remarks() const override {
     constexpr double least_moment_ratio =
@@ -144,12 +145,12 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     std::vector<std::string> lines = notes_;
     const double ratio = moment_ratio();
     const double tail = flat_tail();
-    if (named_rim_ == 0.0 && tail > 0.0) {
+    if (!is_rim_told_ && tail > 0.0) {
       lines.push_back("warning: " + source_ + ": a flat pressure in the outer tenth carries " +
                       format_number(100.0 * tail, 2) +
                       " % of the moment of a pure twist; if that is noise or an offset of the sensor, subtract it and "
                       "name the contact's rim=RADIUS");
-    } else if (named_rim_ == 0.0 && ratio < least_moment_ratio) {
+    } else if (!is_rim_told_ && ratio < least_moment_ratio) {
       lines.push_back("warning: " + source_ + ": the mean radius of its load is " + format_number(ratio * rim_, 3) +
                       ", but the contact radius stands for the last radius with pressure, " + format_number(rim_, 3) +
                       ": is that noise or an offset of the sensor? rim=RADIUS names the radius that it stands for");
@@ -299,6 +300,7 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
   std::string source_;
   double named_rim_;
   double rim_;
+  bool is_rim_told_;
   std::vector<std::string> notes_;
   std::vector<PressureSample> profile_;
   CubicPieces pieces_;
@@ -349,7 +351,7 @@ Law samples(std::span<const PressureSample> rows, std::string_view source, doubl
     throw refuse(profile.size() - 1, "a jump at the last radius, expected one pressure there");
   if (rim != 0.0 && !(rim >= 1e-3 * profile.back().radius && rim <= 1e3 * profile.back().radius)) {
     throw std::invalid_argument("profile '" + std::string(source) + "': got rim = " + format_number(rim) +
-                                ", expected a radius > 0 in the unit of the file, whose last is " +
+                                ", expected 1e-3 to 1e3 times the file's last radius, " +
                                 format_number(profile.back().radius));
   }
   std::vector<double> pressures;
@@ -375,7 +377,7 @@ Law samples(std::span<const PressureSample> rows, std::string_view source, doubl
   while (profile.back().pressure <= 0.0 && inner().pressure <= 0.0 && inner().radius > profile.front().radius)
     profile.pop_back();
   if (profile.back().radius == inner().radius) profile.pop_back();
-  return std::make_shared<SamplesLaw>(profile, source, rim, std::move(notes));
+  return std::make_shared<SamplesLaw>(profile, source, rim, std::move(notes), rim > 0.0);
 }
 
 }  // namespace limitcurve

@@ -267,17 +267,22 @@ std::string remark_on_ring(const std::vector<double>& pressures, std::size_t col
   double all = 0.0;
   double outside = 0.0;
   double highest = 0.0;
+  double at_rim = 0.0;
   for (std::size_t i = 0; i < pressures.size(); ++i) {
     const double moment = pressures[i] * std::hypot(x_of(i) - mean_x / load, y_of(i) - mean_y / load);
     all += moment;
     if (!in_ring(i, columns, rows)) continue;
     outside += moment;
     highest = std::max(highest, pressures[i]);
+    const std::size_t row = i / columns;
+    const std::size_t column = i % columns;
+    if (row == 0 || row + 1 == rows || column == 0 || column + 1 == columns) at_rim = std::max(at_rim, pressures[i]);
   }
   if (!(outside > most * all)) return {};
   const std::string share = format_number(100.0 * outside / all, 2) + " % of the moment";
-  if (highest > cut_off * *std::max_element(pressures.begin(), pressures.end()))
-    return "the pressure reaches the rim, which carries " + share + ": is the contact cut off?";
+  const double least = cut_off * *std::max_element(pressures.begin(), pressures.end());
+  if (at_rim > least) return "the pressure reaches the rim, which carries " + share + ": is the contact cut off?";
+  if (highest > least) return {};  // a contact that ends just before the rim
   return "the outer tenth of the image carries " + share +
          ": if that is noise or an offset, the moment is too large and "
          "the load that holds too small; set floor=" +

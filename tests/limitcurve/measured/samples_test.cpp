@@ -171,6 +171,10 @@ std::vector<PressureSample> sensor_line() {
 TEST(Samples, ASampleChangesAWrenchByNoMoreThanItsShareOfTheLoadIfTheSizeIsNamed) {
   std::mt19937_64 random(2);
   const auto number = [&random] { return std::generate_canonical<double, 53>(random); };
+  std::vector<PressureSample> offset = sensor_line();
+  for (PressureSample& sample : offset) sample.pressure += 0.04 * offset[0].pressure;
+  for (const Law& law : {samples(offset, "offset.csv"), with_own_radii(samples(offset, "offset.csv"))})
+    expect_mention(law->remarks().front(), "a flat pressure in the outer tenth");
   const Law clean = samples(sensor_line(), "clean.csv", 6.0);
   const double mean = 6.0 * clean->moment_ratio();
   EXPECT_EQ(samples(sensor_line(), "clean.csv")->rim(), 6.0);

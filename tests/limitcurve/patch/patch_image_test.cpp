@@ -111,6 +111,7 @@ TEST(PatchImage, AnOffsetIsToldFromNoiseAndFromAContactThatIsCutOff) {
   }
   told(0.0, 60.0, 10.0, 0.0, "set floor=");
   for (const double radius : {18.0, 30.0, 100.0}) told(0.0, 5.0, radius, 0.0, "cut off?");
+  told(0.0, 0.0, 15.3, 0.0, "none");  // it ends within the outer tenth
 }
 
 }  // namespace
