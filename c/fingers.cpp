@@ -239,7 +239,7 @@ struct Walls {
 }  // namespace
 
 limitcurve_status limitcurve_join(const limitcurve_contact* contacts, size_t count, limitcurve_contact* joined) {
-  if (any_missing({{"contacts", contacts}, {"joined", joined}})) return LIMITCURVE_INVALID;
+  if (is_missing("joined", joined) || (count > 0 && is_missing("contacts", contacts))) return LIMITCURVE_INVALID;
   const Walls walls{{contacts}, {contacts + count}};
   *joined = contact_of(join(walls), count > 0 ? contacts->twist : 0.0);
   return LIMITCURVE_OK;

@@ -126,7 +126,7 @@ nb::dict read_files(nb::dict given);
 godobject::FingerParameters parameters_of(const nb::dict& given, double moment_ratio);
 /// Warns, with what is assumed, if none of a finger's parameters is given; a patch has its own size.
 void warn_without_skin(const char* type, const nb::dict& given, bool of_patch = false);
-/// Warns of a radius law, which was typed, whose radius at 1 N is hardly in metres.
+/// Warns of a radius law whose radius at 1 N is hardly in metres.
 void ask_unit(const RadiusLaw& law);
 /// These parameters as keywords of a Python function, with types and defaults; for a patch without those of a round
 /// contact's moment.

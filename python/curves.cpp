@@ -60,7 +60,7 @@ nb::object loads_to_hold(const Curve& curve, const BoundArguments& given) {
           contact.mu = of[2];
           return least(contact, of[0], of[1]);
         });
-    if (contact.radius_law && PyUnicode_CheckExact(radius_law.ptr())) ask_unit(*contact.radius_law);
+    if (contact.radius_law) ask_unit(*contact.radius_law);
     return result;
   }
   constexpr Range exponent{-0.5, 1.0, "a number from -0.5 to 1"};

@@ -58,7 +58,6 @@ nb::dict read_files(nb::dict given) {
 FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
   FingerParameters parameters;
   std::optional<cli::RadiusLawArgument> radius_law;
-  bool is_typed = true;
   for (const auto& [key, value] : given) {
     const auto name = nb::cast<std::string>(key);
     if (name == "radius_law") {
@@ -73,7 +72,6 @@ FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
       }
       if (!nb::isinstance<nb::str>(value)) refuse("radius_law", value, "a str, such as 'constant:a=0.005'");
       radius_law = cli::read_radius_law(nb::cast<std::string>(value));
-      is_typed = PyUnicode_CheckExact(value.ptr());
       continue;
     }
     for_each_number(parameters, [&](const ParameterInfo& number, auto& field) {
@@ -84,7 +82,7 @@ FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
   if (!radius_law) return parameters;
   if (parameters.mu_r) throw std::invalid_argument("mu_r: not with radius_law, expected one of them");
   parameters.radius_law = radius_law->of(parameters.mu, moment_ratio);
-  if (is_typed) ask_unit(parameters.radius_law);
+  ask_unit(parameters.radius_law);
   return parameters;
 }
 

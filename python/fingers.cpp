@@ -3,6 +3,7 @@
 #include "python/parameters.hpp"
 
 #include "godobject/soft_finger.hpp"
+#include "godobject/surfaces/join.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -262,6 +263,42 @@ void add_finger_types(nb::module_& module) {
       "Another finger in the same state.");
 }
 
+void add_join(nb::module_& module) {
+  const std::string vector = any_vector;
+  define_static(
+      module,
+      "def join(contacts: collections.abc.Iterable[tuple[" + vector + ", " + vector +
+          ", float]]) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64], float]",
+      [](const BoundArguments& given) {
+        std::vector<Contact> walls;
+        for (const nb::handle wall : nb::iter(given[0])) {
+          const std::string name = "contacts[" + std::to_string(walls.size()) + "]";
+          nb::object parts[3];
+          if (!nb::isinstance<nb::sequence>(wall) || nb::len(wall) != 3) refuse(name, wall, "(point, normal, depth)");
+          for (int i = 0; i < 3; ++i) parts[i] = wall[i];
+          walls.push_back({three_numbers(parts[0], (name + ": point").c_str()),
+                           three_numbers(parts[1], (name + ": normal").c_str()),
+                           number_of(parts[2], name + ": depth")});
+        }
+        const Contact joined = join(walls);
+        return std::tuple(joined.point, joined.normal, joined.depth);
+      },
+      "Makes a single contact of all walls that a finger is in, each (point, normal, depth), so that the friction "
+      "along "
+      "a groove does\n"
+      "not fade. All walls must have the same finger position, point - normal * depth. The result has the nearest "
+      "point "
+      "outside of all\n"
+      "walls; if there is no such point, or if two walls meet at less than 90 degrees, it is the deepest contact. "
+      "Without walls, the depth\n"
+      "is 0. If the tip is round, move each point outward by the radius before.\n\n"
+      ">>> import limitcurve as lc\n"
+      ">>> finger = lc.SoftFinger(lc.Table('hertz'), mu=0.5, stiffness=1000, twist_stiffness=0.025)\n"
+      ">>> walls = [((0.001, 0, 0), (0, 0, 1), 0.002), ((0, 0, -0.002), (1, 0, 0), -0.001)]\n"
+      ">>> str(finger.update(*lc.join(walls), twist=0.0, dt=1e-3).state)\n"
+      "'stick'\n");
+}
+
 struct PyMemory {
   FrictionMemory<double> memory;
 };
@@ -351,6 +388,7 @@ void add_friction(nb::module_& module) {
 void add_fingers(nb::module_& module) {
   add_output(module);
   add_finger_types(module);
+  add_join(module);
   add_friction(module);
 }
 

@@ -334,9 +334,8 @@ std::vector<std::string> PatchArgument::remarks(const Patch& made) const {
                     std::to_string(columns) + " pixels" + (frames_in_blocks ? " in blocks" : "") +
                     ": is it one frame? columns=N[,frame=K] reads a frame a row");
   }
-  if (text.empty()) return lines;
   UnitChecks questions;
-  questions.length("patch '" + text + "'", across());
+  questions.length(text.empty() ? "patch" : "patch '" + text + "'", across());
   const std::vector<std::string> asked = questions.lines();
   lines.insert(lines.end(), asked.begin(), asked.end());
   return lines;

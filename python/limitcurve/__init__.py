@@ -30,6 +30,7 @@ from ._core import (
     box,
     device_damping_needed,
     ellipse,
+    join,
     require_passive,
     version as __version__,
 )
@@ -67,6 +68,7 @@ __all__ = [
     "ellipse",
     "fit",
     "hold",
+    "join",
     "replay",
     "require_passive",
     "run",

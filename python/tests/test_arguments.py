@@ -186,11 +186,13 @@ def test_other_columns_are_ignored_and_every_number_broadcasts():
     assert PATCH.load_to_hold(0, 1, 0, mu=mu).tolist() == pytest.approx((1 / mu).tolist())
 
 
-def test_units_of_texts_and_traces_are_asked_about_and_of_numbers_not(recwarn):
+def test_units_of_texts_traces_and_patches_are_asked_about_and_of_other_numbers_not(recwarn):
     for call, asked in ((lambda: lc.Patch("rectangle:x=20,y=10"), "20 m across: lengths must be in metres"),
+                        (lambda: lc.Patch.polygon([0, 20, 20], [0, 0, 10]), "patch: 20 m across"),
                         (lambda: TABLE.load_to_hold(1, 1e-3, mu=0.6, radius_law="constant:a=5"),
                          "must be in metres"), (lambda: lc.SoftFinger(TABLE, radius_law="constant:a=5"),
                                                    "in metres"),
+                        (lambda: lc.SoftFinger(TABLE, radius_law=lc.RadiusLaw.constant(5)), "in metres"),
                         (lambda: lc.replay({
                             **trace_of(4), "twist": 30.0 * np.arange(4)
                         },
@@ -202,7 +204,7 @@ def test_units_of_texts_and_traces_are_asked_about_and_of_numbers_not(recwarn):
         with pytest.warns(UserWarning, match=asked):
             call()
     for number in (1.2, 300, 4000):
-        lc.Patch.points([0, number], [0, 1], [1, 1]).load_to_hold(number, 0, number, mu=0.6)
+        lc.Patch.points([0, 0.4], [0, 0.1], [1, 1]).load_to_hold(number, 0, number, mu=0.6)
         TABLE.load_to_hold(number, number, mu=0.6, mu_r=0.003)
     assert not recwarn.list
     trace = trace_of(50)

@@ -216,8 +216,7 @@ def test_objects_from_numbers_stand_for_texts():
                               lc.Law("parabolic").evaluate([0, 0.3, 1, 3]))).max() < 1e-12 and law.profile_error < 1e-12
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        lc.SoftFinger(table, radius_law=lc.RadiusLaw.constant(5)), lc.choose(
-            patch=lc.Patch.rectangle(20, 10)), lc.Law(lambda radius: (1 - radius ** 2) ** 2.3)
+        lc.Law(lambda radius: (1 - radius ** 2) ** 2.3)
     for wrong, told in (*((lambda a=a: lc.RadiusLaw.constant(a), f"^a: got {a!r}, expected a number")
                           for a in ("0.006", True, 10 ** 400)), (lambda: lc.Patch.rectangle(-1, 1), "x"),
                         (lambda: lc.Law(lambda radius: "x"), "^pressure: got 'x'"),

@@ -288,6 +288,19 @@ def test_a_finger_says_why_a_sample_is_invalid():
         assert str(output.state) == "invalid" and str(output.fault) == fault and output.fault == lc.Fault[fault]
 
 
+def test_walls_of_a_groove_are_joined_for_an_update():
+    half = math.sqrt(0.5)  # two faces at right angles, 1 mm above the finger; their edge is straight above it
+    at = np.array([0.01, 0.02, 0.03], dtype=np.float32)
+    walls = [(at + 1e-3 * np.array(normal), normal, 1e-3) for normal in ((half, 0, half), [-half, 0, half])]
+    point, normal, depth = lc.join(wall for wall in walls)
+    assert depth == pytest.approx(1e-3 / half) and point == pytest.approx(at + [0, 0, depth]) and normal[2] == 1
+    assert str(lc.SoftFinger(TABLE, mu=0.6).update(*lc.join(walls), twist=0.0).state) == "stick"
+    assert lc.join([])[2] == 0 and lc.join(walls[:1])[2] == 1e-3
+    for wrong in ((at, (0, 0, 1)), (at, (0, 1), 1e-3), (at, (0, 0, 1), "deep")):
+        with pytest.raises((TypeError, ValueError), match=r"contacts\[1\]"):
+            lc.join([walls[0], wrong])
+
+
 def test_friction_has_a_memory_and_limits_while_it_slides():
     given, memory = {"limit": 1.2, "radius": 0.006, "stiffness_ratio": 25000}, lc.FrictionMemory()
     result = lc.apply_friction(TABLE, 2.4, 0.0, **given, memory=memory)

@@ -110,7 +110,7 @@ static void fingers(void) {
   CHECK(fabs(joined.point[0] - 1) < 1e-15 && fabs(joined.point[2] - 1) < 1e-15 &&
         fabs(joined.depth - sqrt(2)) < 1e-15 && joined.twist == 3 && joined.landed == 1);
   REFUSED(limitcurve_join(NULL, 2, &joined), "NULL");
-  CHECK(limitcurve_join(groove, 0, &joined) == LIMITCURVE_OK && joined.depth == 0);
+  CHECK(limitcurve_join(NULL, 0, &joined) == LIMITCURVE_OK && joined.depth == 0);
 
   const double forces[2] = {1.2, 0}, moments[2] = {0, 1.2 * 0.004}, bad[2] = {0, NAN};
   double needed[2];
