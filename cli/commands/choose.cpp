@@ -130,9 +130,10 @@ appears if k_r/k_l is more than ten times above or below (mu_r/mu_l)^2, the rati
     scene_.law = law_;
     if (radius_law_) scene_.radius_law = radius_law_->of(scene_.mu, law_);
     if (!loads_.empty()) {
-      if (loads_.size() > 2 || loads_.front() > loads_.back()) {
-        throw std::invalid_argument("--loads: got " + std::to_string(loads_.size()) +
-                                    " loads, expected two, the smaller first, such as 0.5,2");
+      if (loads_.size() != 2 || loads_.front() > loads_.back()) {
+        throw std::invalid_argument(
+            "--loads: got " + (loads_.size() == 2 ? "the larger first" : std::to_string(loads_.size()) + " loads") +
+            ", expected two, the smaller first, such as 0.5,2");
       }
       scene_.least_load = loads_.front();
       scene_.most_load = loads_.back();

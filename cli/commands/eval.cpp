@@ -19,7 +19,7 @@ class Eval final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {
         "eval", "Compute friction force and moment at given centres of rotation (eq. 17)",
-        "Columns: c [m], force [N], moment [N m], and bounds on their absolute errors.\n"
+        "Columns: c [m], force [N], moment [N m], and bounds on their absolute errors, the rounding of c included.\n"
         "Without --radius, --load and --mu, c is in contact radii, force in units of mu P, moment in units of mu P a.",
         "limitcurve eval --law hertz --c 0.25,0.5,1,inf"};
   }
@@ -45,7 +45,7 @@ class Eval final : public Subcommand {
     }
     UnitChecks questions;
     questions.load(load_);
-    if (radius_) questions.length("--radius", *radius_);
+    if (radius_) questions.length("--radius", 2.0 * *radius_);
     results.messages->say(questions.lines());
     if (!radius_ && law_->rim() > 0.0 && force_unit != 1.0) {
       results.messages->say("limitcurve: note: without --radius a is 1 m; that of " + law_->name() + " is --radius " +

@@ -104,7 +104,7 @@ gravity pulls along --down, and the centre of mass is --offset from the origin t
   void run(const Results& results) override {
     const godobject::CurveKind kind = curve_;
     if (patch_.empty()) law_ = law_if_needed(law_, kind, torsion_.mu_r.has_value());
-    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument(what_contact(!patch_.empty()));
+    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument(what_contact(!patch_.empty(), true));
     const int given = static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) +
                       static_cast<int>(fingers_ || mass_ || offset_);
     if (given != 1)

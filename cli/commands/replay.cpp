@@ -195,7 +195,7 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
  private:
   void check_patch() {
     if (patch_.empty()) replay_.law = law_if_needed(replay_.law, replay_.curve, replay_.finger.mu_r.has_value());
-    if (patch_.empty() == (replay_.law == nullptr)) throw std::invalid_argument(what_contact(!patch_.empty()));
+    if (patch_.empty() == (replay_.law == nullptr)) throw std::invalid_argument(what_contact(!patch_.empty(), true));
     if (patch_.empty()) {
       if (point_radius_) throw std::invalid_argument("--point-radius needs --patch");
       return;

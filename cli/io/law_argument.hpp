@@ -57,11 +57,10 @@ void take_own_radii(std::optional<RadiusLawArgument>& radius_law, bool has_mu_r,
 void note_profile_error(const Law& law, Messages& messages);
 
 /// What to say unless just one of --law and --patch is given.
-inline const char* what_contact(bool has_patch) {
-  return has_patch
-             ? "give --law or --patch, not both: each is the contact"
-             : "say which contact: --law, or --patch if it is not round (--curve ellipse or box with --mu-r needs "
-               "neither)";
+inline std::string what_contact(bool has_patch, bool takes_curve = false) {
+  if (has_patch) return "give --law or --patch, not both: each is the contact";
+  return std::string("say which contact: --law, or --patch if it is not round") +
+         (takes_curve ? " (--curve ellipse or box with --mu-r needs neither)" : "");
 }
 
 /// Throws std::invalid_argument unless just one of --radius-law and --mu-r is given.

@@ -47,7 +47,9 @@ inline std::string quoted(std::string_view text) {
 /// Reads a text line by line, and throws std::invalid_argument with `source:line:column: `.
 class Reader {
  public:
-  Reader(std::string_view text, std::string_view source) : rest_(text), source_(source) {}
+  Reader(std::string_view text, std::string_view source) : rest_(text), source_(source) {
+    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+  }
 
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
 
@@ -57,14 +59,17 @@ class Reader {
     if (end == std::string_view::npos) fail(rest_.size() + 1, "the text ends within a line: expected an end of line");
     std::string_view text = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
-    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    // A spreadsheet appends blanks and commas.
+    text.remove_suffix(text.size() - (text.find_last_not_of("\r\t ,") + 1));
     return text;
   }
 
   /// Reads the first line, which must be `title`.
   void title(std::string_view title) {
-    if (!rest_.starts_with(title) || line() != title)
-      fail(1, "not a table: expected the first line '" + std::string(title) + "'");
+    const std::string_view first = rest_.starts_with('#') ? line() : rest_.substr(0, 0);
+    if (first != title)
+      fail(1, "not a table: expected the first line '" + std::string(title) + "'" +
+                  (first.empty() ? "" : ", got '" + std::string(first.substr(0, 60)) + "'"));
   }
 
   /// Reads a line `# name: value`. Returns the value and its column.
@@ -81,7 +86,9 @@ class Reader {
     do {
       text = line();
     } while (text.starts_with("#"));
-    if (text != columns) fail(1, "expected the header " + std::string(columns));
+    if (text != columns)
+      fail(1, "expected the header " + std::string(columns) +
+                  (text.find(';') != std::string_view::npos ? "; separate by commas, with decimal points" : ""));
   }
 
   double number(std::string_view text, std::size_t column) const {
