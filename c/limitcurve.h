@@ -48,8 +48,8 @@ typedef enum limitcurve_status {
   LIMITCURVE_INVALID = 2 /* an argument is wrong */
 } limitcurve_status;
 
-/* One line about the last call of this thread that failed; "" before the first. Valid until this thread's next failure.
- */
+/* A line about the last call of this thread that failed; "" if no call has failed. Valid until the next failure in
+ * this thread. */
 LIMITCURVE_API const char* limitcurve_error(void);
 
 /* "MAJOR.MINOR.PATCH". */
@@ -59,14 +59,14 @@ LIMITCURVE_API const char* limitcurve_version(void);
 
 typedef struct limitcurve_law limitcurve_law;
 
-/* A law in the command line's grammar: "hertz", "uniform", "power:n=2.3", "mix:0.7*hertz+0.3*uniform"; for a measured
- * one use limitcurve_law_samples. */
+/* A law in the command line's grammar, for example "hertz", "uniform", "power:n=2.3", "mix:0.7*hertz+0.3*uniform". For
+ * a measured law, call limitcurve_law_samples. */
 LIMITCURVE_API limitcurve_status limitcurve_law_parse(const char* text, limitcurve_law** law);
 
 /* A measured profile: pressures (any unit) at `count` >= 4 radii (any unit) that do not decrease. `rim` is the radius,
- * in that unit, that the contact radius stands for; 0: the last radius with pressure, which is wrong if noise or an
- * offset of the sensor goes on beyond the contact. Negative pressures are noise: pressures up to 1.5 times the most
- * negative count as 0. `source` is its name. */
+ * in that unit, that the contact radius stands for. If it is 0, the last radius with pressure counts, which is wrong if
+ * noise or an offset of the sensor goes on beyond the contact. Negative pressures are noise, so pressures up to 1.5
+ * times the most negative count as 0. Messages call the profile `source`. */
 LIMITCURVE_API limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count,
                                                         const char* source, double rim, limitcurve_law** law);
 
@@ -95,11 +95,11 @@ typedef struct limitcurve_table limitcurve_table;
 LIMITCURVE_API limitcurve_status limitcurve_table_build(const limitcurve_law* law, double tolerance,
                                                         limitcurve_table** table);
 
-/* The ellipse with these semi-axes, in unit wrenches: (1, m0) is the usual one. */
+/* The ellipse with these semi-axes, in unit wrenches; the usual ellipse is (1, m0). */
 LIMITCURVE_API limitcurve_status limitcurve_table_ellipse(double force_max, double moment_max,
                                                           limitcurve_table** table);
 
-/* Separate limits of force and moment; only with LIMITCURVE_CLOSEST_POINT. */
+/* Separate limits of force and moment, which need LIMITCURVE_CLOSEST_POINT. */
 LIMITCURVE_API limitcurve_status limitcurve_table_box(double force_max, double moment_max, limitcurve_table** table);
 
 /* Reads a table from `limitcurve table -o FILE.csv` or limitcurve_table_csv. Error messages call the text `source`. */
@@ -111,8 +111,8 @@ LIMITCURVE_API const char* limitcurve_table_csv(const limitcurve_table* table);
 
 LIMITCURVE_API void limitcurve_table_free(limitcurve_table* table);
 
-/* Bound on the absolute error of unit force and moment against the law, to which a measured pressure adds its own
- * (limitcurve_law_evaluate); 0 for an ellipse or a box. */
+/* Bound on the absolute error of unit force and moment against the law; 0 for an ellipse or a box. A measured pressure
+ * adds the error that limitcurve_law_evaluate gives. */
 LIMITCURVE_API limitcurve_status limitcurve_table_checked_error(const limitcurve_table* table, double* error);
 
 /* Bytes that a look-up may touch; 0 for an ellipse or a box. */
@@ -122,7 +122,8 @@ LIMITCURVE_API limitcurve_status limitcurve_table_bytes(const limitcurve_table* 
 LIMITCURVE_API limitcurve_status limitcurve_table_evaluate(const limitcurve_table* table, const double* cors,
                                                            size_t count, double* forces, double* moments);
 
-/* Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Forces
+/* Distance of unit wrenches from the origin divided by that of the curve on the same ray. A contact holds if it is < 1
+ * and slips if it is > 1. Forces
  * and moments are finite; signs are ignored. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces,
                                                         const double* moments, size_t count, double* gauges);
@@ -135,7 +136,7 @@ enum {
   LIMITCURVE_C_CURVE = 1,
   LIMITCURVE_CLOSEST_POINT = 2 /* maximum dissipation: the wrench of the slip, if its direction stays. Recommended */
 };
-typedef int limitcurve_projection; /* one of these; an int, so that any other number is an error, not undefined */
+typedef int limitcurve_projection; /* an int, so that any other number is an error, not undefined behaviour */
 
 /* Friction limits at the current load. */
 typedef struct limitcurve_limits {
@@ -147,15 +148,15 @@ typedef struct limitcurve_limits {
   double force_stick_fraction;  /* in [0, 1]: a sliding contact comes to rest once its trial is within this fraction of
                                    the limit, or within moment_stick_fraction if that is smaller. 1: as soon as the
                                    trial is within the limit */
-  double moment_stick_fraction; /* the same for the moment; on a box, force and moment are compared separately */
+  double moment_stick_fraction; /* of the moment; on a box, force and moment are compared separately */
 } limitcurve_limits;
 
 /* State of a contact's friction between steps; all 0 at first. */
 typedef struct limitcurve_memory {
   double search_start;
   double search_rate;
-  int force_slides;  /* the sliding limit acts; on a box: that of the force */
-  int moment_slides; /* on a box: that of the moment acts */
+  int force_slides;  /* whether the sliding limit acts; on a box, the sliding limit of the force */
+  int moment_slides; /* on a box, whether the sliding limit of the moment acts */
 } limitcurve_memory;
 
 typedef struct limitcurve_friction {
@@ -196,9 +197,9 @@ typedef struct limitcurve_finger_parameters {
 /* The defaults of the C++ library, NaN for what is absent, and a radius of 5 mm. */
 LIMITCURVE_API limitcurve_finger_parameters limitcurve_finger_defaults(void);
 
-/* The smallest loads [N] under which a contact carries forces [N] and moments [N m], whose signs are ignored; inf where
- * no load holds. Of the finger's parameters it reads mu, radius_law, mu_r and gamma. `limitcurve hold` estimates the
- * error from a measured pressure. */
+/* The smallest loads [N] under which a contact carries forces [N] and moments [N m], whose signs are ignored; inf if
+ * no load holds. Of the finger's parameters, the function reads mu, radius_law, mu_r and gamma. `limitcurve hold`
+ * estimates the error from a measured pressure. */
 LIMITCURVE_API limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table,
                                                                const limitcurve_finger_parameters* contact,
                                                                const double* forces, const double* moments,
@@ -217,7 +218,7 @@ typedef enum limitcurve_fault {
   LIMITCURVE_FAULT_NOT_FINITE = 1,  /* a NaN or an infinity in point, normal, depth, twist or orientation */
   LIMITCURVE_FAULT_TOO_FAR = 2,     /* the length of (point, depth, twist) is beyond 1e6 */
   LIMITCURVE_FAULT_ORIENTATION = 3, /* the length of the device's orientation is off 1 by more than 1e-2 */
-  LIMITCURVE_FAULT_NORMAL = 4,      /* that of the normal is */
+  LIMITCURVE_FAULT_NORMAL = 4,      /* the length of the normal is off 1 by more than 1e-2 */
   LIMITCURVE_FAULT_TIME_STEP = 5,   /* the time step is < 0 or not finite */
   LIMITCURVE_FAULT_SPEED = 6,       /* faster than max_speed since the last good sample */
   LIMITCURVE_FAULT_BODY = 7,        /* not of this interface: the pose of a touched body */
@@ -234,10 +235,10 @@ typedef struct limitcurve_contact {
                        another; on another body call limitcurve_finger_reset before the step */
 } limitcurve_contact;
 
-/* Makes one contact of the `count` walls that a finger is in: contacts of one finger position, point - normal * depth,
- * as with the two faces of a groove. Its point is the nearest outside of all; if two of them meet at less than 90
- * degrees, or no point is, it is the deepest contact. The twist is that of the first. If the tip is round, move each
- * point outward by the radius before. [real time] */
+/* Makes a single contact of the `count` walls that a finger is in, for example of two faces of a groove. All walls must
+ * have the same finger position, point - normal * depth. The result has the nearest point outside of all walls; if
+ * there is no such point, or if two walls meet at less than 90 degrees, the result is the deepest contact. The twist is
+ * that of the first contact. If the tip is round, move each point outward by the radius before. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_join(const limitcurve_contact* contacts, size_t count,
                                                  limitcurve_contact* joined);
 
@@ -289,8 +290,8 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_
                                                                      double time_step,
                                                                      limitcurve_finger_output* output);
 
-/* Both with the device's orientation (w, x, y, z; finger to surface, as the normal within 1e-2 of unit length) instead
- * of `twist`, which is not read. [real time] */
+/* These two take the device's orientation (w, x, y, z; finger to surface; like the normal, within 1e-2 of unit length)
+ * instead of `twist`, which they do not read. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update_pose(limitcurve_finger* finger,
                                                                const limitcurve_contact* contact,
                                                                const double orientation[4], double time_step,
@@ -373,7 +374,7 @@ typedef struct limitcurve_contacts {
   double* moment; /* out [N m] */
 } limitcurve_contacts;
 
-/* The same in single precision. */
+/* limitcurve_contacts in single precision. */
 typedef struct limitcurve_contacts_float {
   const float* x;
   const float* y;
@@ -406,8 +407,8 @@ LIMITCURVE_API limitcurve_status limitcurve_batch_new_float(const limitcurve_law
 
 LIMITCURVE_API void limitcurve_batch_free(limitcurve_batch* batch);
 
-/* Steps `count` contacts. Threads may share a batch, each with its own part of the arrays. It rejects a batch for the
- * other precision. [real time] */
+/* Steps `count` contacts. Threads may share a batch, if each thread has a part of the arrays. A batch for the other
+ * precision is rejected. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_batch_step(const limitcurve_batch* batch,
                                                        const limitcurve_contacts* contacts, size_t count);
 LIMITCURVE_API limitcurve_status limitcurve_batch_step_float(const limitcurve_batch* batch,
@@ -427,19 +428,20 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_rectangle(double x, double y, 
 LIMITCURVE_API limitcurve_status limitcurve_patch_ellipse(const limitcurve_law* law, double a, double b,
                                                           limitcurve_patch** patch);
 /* A pressure image: `rows` rows of `columns` pressures, the first row at the largest y; pixels are squares of side
-   `pixel` [m]. Negative pressures are noise: those up to 1.5 times the most negative count as 0. */
+   `pixel` [m]. Negative pressures are noise, so those up to 1.5 times the most negative count as 0. NaN is rejected;
+   pass 0 where there is no sensor. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_image(const double* pressures, size_t rows, size_t columns,
                                                         double pixel, limitcurve_patch** patch);
-/* The same with pixels that are rectangles, `width` along x and `height` along y [m]. */
+/* An image whose pixels are rectangles, `width` along x and `height` along y [m]. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_image_spaced(const double* pressures, size_t rows, size_t columns,
                                                                double width, double height, limitcurve_patch** patch);
-/* The same patch with orthotropic friction: its own times mx along x and times my along y, both 1e-6 to 1e6. */
+/* The patch with orthotropic friction: mx times as much along x and my times as much along y, both 1e-6 to 1e6. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my,
                                                               limitcurve_patch** result);
 
-/* The patch as a table, whose wrench costs 30 ns whatever its shape: for a loop on a large image. The error of force
- * and moment is at most `tolerance`, in [1e-5, 0.1], in units of mu P and of the largest moment. LIMITCURVE_INVALID if
- * no table of 2 MiB has it; limitcurve_error() then names the finest tolerance. Up to seconds. */
+/* The patch as a table for a loop on a large image, because a wrench from a table costs 80 ns whatever the shape. The
+ * error of force and moment is at most `tolerance`, in [1e-5, 0.1], in units of mu P and of the largest moment.
+ * LIMITCURVE_INVALID if no table of 2 MiB has it; limitcurve_error() then names the finest tolerance. Up to seconds. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_table(const limitcurve_patch* patch, double tolerance,
                                                         limitcurve_patch** result);
 /* Reads a table from `limitcurve table --patch P -o FILE.csv` or limitcurve_patch_csv. Error messages call the text
@@ -461,13 +463,13 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch*
                                                          double* errors);
 
 /* The smallest loads [N], of all points together, under which the patch carries `count` wrenches (fx, fy, moment) [N, N
- * m] about the origin, three numbers each, with friction `mu` >= 0; inf where no load holds. */
+ * m] about the origin, three numbers each, with friction `mu` >= 0; inf if no load holds. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu,
                                                                const double* wrenches, size_t count, double* loads);
 
 /* The twists (vx, vy, omega) [m/s, rad/s] with which the patch slips under `count` wrenches (fx, fy, moment) [N, N m],
  * both about the origin, three numbers each: at the load that just holds, of power 1 W against the wrench; NaN for
- * wrench 0, and where no load holds. Bounds on |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the twist needs,
+ * wrench 0, and if no load holds. Bounds on |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the twist needs,
  * may be NULL. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches,
                                                        size_t count, double* twists, double* errors);

@@ -17,7 +17,7 @@ namespace limitcurve::fit {
 struct ContactModel {
   enum class Kind {
     ellipse,    ///< (F/μP)² + (M/μ_rP)² = 1
-    law,        ///< the exact curve of one pressure law: implies a contact radius a = μ_r/(μ m₀)
+    law,        ///< the exact curve of a pressure law, which implies a contact radius a = μ_r/(μ m₀)
     power,      ///< exact, p ∝ (1−ρ²)ⁿ, n free, −0.75 to 6
     xydas_kao,  ///< exact, p ∝ (1−ρᵏ)^{1/k}, k free, 0.8 to 12
   };
@@ -25,7 +25,7 @@ struct ContactModel {
   Law pressure_law = nullptr;  ///< for Kind::law
 
   static ContactModel of(Law law) { return {Kind::law, std::move(law)}; }
-  /// ellipse, power, xydas-kao, or the law's own name.
+  /// ellipse, power, xydas-kao, or the name of the pressure law.
   [[nodiscard]] std::string name() const;
 };
 
@@ -36,8 +36,8 @@ struct ContactFitOptions {
   bool fit_gamma = false;
   /// Warn of a larger contact radius [m]. The pad of a human fingertip is about 16 mm wide.
   double largest_radius = 0.008;
-  /// Of more samples `select_law` chooses the law with so many, drawn evenly over load and slip; it fits the chosen law
-  /// to all.
+  /// If there are more samples, `select_law` chooses the law by this many, drawn evenly over load and slip, and then
+  /// fits the chosen law to all samples.
   std::size_t rows_of_choice = 10'000;
 };
 
@@ -69,25 +69,26 @@ struct ContactFit {
   std::vector<std::size_t> outliers;
 };
 
-/// Fits by orthogonal distance: errors of force and moment both count, each in units of its own sigma. Without sigmas
-/// the fit assumes errors that are proportional to the load and equal in the normalised plane, and estimates their size
-/// from the scatter; then `report.rms` is relative to the limit (0.02 is 2 %). With sigmas it is in standard
-/// deviations. No starting values are needed. One more fit finds gross outliers, whatever the loss, and a γ that
-/// differs from the assumed γ by more than chance gives in one of 2000 data sets; the report warns of both. Cost: about
-/// 1 ms for 100 samples, and once per process 20 to 70 ms for each family with a free shape. Throws
-/// std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot determine
-/// (too few; all on an axis; no twist at all; all about one centre). If a robust loss follows a long hold, the fit is
-/// repeated without it, with a warning.
+/// Fits by orthogonal distance, because force and moment have errors; each error counts in units of its sigma. If the
+/// samples have sigmas, `report.rms` is in standard deviations. Otherwise the fit assumes errors that are proportional
+/// to the load and equal in the normalised plane, and estimates their size from the scatter; `report.rms` is then
+/// relative to the limit (0.02 is 2 %). You need no starting values. Whatever the loss, a second fit finds gross
+/// outliers, and a γ that differs from the assumed γ by more than chance gives in one of 2000 data sets. The report
+/// warns of them. Cost: about 1 ms for 100 samples, and once per process 20 to 70 ms for each family with a free shape.
+/// Throws std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot
+/// determine (too few samples, all on an axis, no twist at all, or all about one centre). If a robust loss would follow
+/// a long hold, the fit is repeated with the squared loss, and a warning says so.
 ///
-/// `Loss::edge` needs no slips, but a log with sigmas and grips, and a law: it finds the limits that the wrench reaches
-/// and never exceeds.
+/// `Loss::edge` needs no marked slips, but a law and a log with sigmas and grips, because it finds the limits that the
+/// wrench reaches and never exceeds.
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model,
                        const ContactFitOptions& options = {});
 
 /// The fits of all pressure laws, best first by AIC.
 struct LawSelection {
   std::vector<ContactFit> candidates;
-  /// AIC minus that of the best, in the order of the candidates: below 2 is not significant, above 10 is decisive.
+  /// AIC minus the AIC of the best candidate, in the order of the candidates. A difference below 2 is not significant;
+  /// a difference above 10 is decisive.
   std::vector<double> aic_difference;
 };
 

@@ -13,21 +13,21 @@
 namespace limitcurve::fit {
 
 /// Criterion for an ellipse that approximates the exact unit limit curve. Errors are radial and
-/// relative: its radius divided by the curve's along the same ray of the normalised plane (x = f,
-/// y = m/m₀), minus one.
+/// relative: on a ray of the normalised plane (x = f, y = m/m₀), the radius of the ellipse divided by the radius of the
+/// curve, minus 1.
 enum class Criterion {
-  intercepts,     ///< through (1, 0) and (0, m₀), as in the paper: for common laws too strong between
+  intercepts,     ///< through (1, 0) and (0, m₀), as in the paper; between them, too strong for common laws
   least_squares,  ///< least rms error over the rays, `CurveError::rms_error`, by Ceres
   minimax,        ///< smallest largest error, of either sign
-  inner,          ///< the same inside the exact curve: never holds what slips
+  inner,          ///< minimax inside the exact curve, so that the ellipse never holds what slips
 };
 
 /// In the order of Criterion.
 inline constexpr std::array<std::string_view, 4> criterion_names{"intercepts", "least-squares", "minimax", "inner"};
 
 /// An ellipse that approximates the exact unit limit curve of a law, with its errors against that
-/// curve over all rays. The report's rms is over the points of the least-squares fit. Its standard
-/// errors are NaN: the curve has no noise.
+/// curve over all rays. The report's rms is over the points of the least-squares fit. The
+/// standard errors are NaN, because the curve has no noise.
 struct CurveFit {
   Ellipse curve;  ///< in unit wrenches
   CurveError error;

@@ -9,26 +9,27 @@ namespace limitcurve::fit {
 
 /// One fitted (or derived) quantity.
 struct Estimate {
-  /// What it is of the contact, whatever its name and unit.
+  /// The property of the contact that is estimated, so that programs need not know names and units.
   enum class Role {
     force,   ///< mu, force_max
     moment,  ///< mu_r, moment_max
     ratio,
-    radius,  ///< radius, or c where it grows with the load
+    radius,  ///< radius, or c if the radius grows with the load
     shape,   ///< n or k of a family of laws
     gamma,
-    other,  ///< of the data or the fit
+    other,  ///< a property of the data or the fit
   };
-  std::string name;  ///< as the function that fits lists them, such as "mu"
+  std::string name;  ///< such as "mu"; the function that fits lists the names
   double value = 0.0;
-  /// Standard error, in the unit of the value; 0 for a fixed parameter, NaN in a fit to a curve, which has no noise.
+  /// Standard error, in the unit of the value: 0 for a fixed parameter, NaN in a fit to a curve, because a curve has
+  /// no noise.
   double std_error = 0.0;
   std::string unit;  ///< SI, "1" if none
   Role role = Role::other;
 };
 
-/// The report of a fit. The standard errors come from the curvature of the cost at the solution, a linear
-/// approximation; the coverage tests of this module measure how good it is.
+/// The report of a fit. The standard errors come from the curvature of the cost at the solution. This is a linear
+/// approximation, so the coverage tests of this module measure how often the intervals hold.
 struct FitReport {
   std::vector<Estimate> estimates;
   /// Correlations of the estimates, row by row, estimates.size() squared; 0 where a standard error is 0.
@@ -39,7 +40,7 @@ struct FitReport {
   std::size_t residuals = 0;
   std::size_t free_parameters = 0;
   /// Akaike's information criterion up to a constant of the data: compare only fits of the same data. If the noise is
-  /// unknown it has the correction for few samples (AICc), and is ∞ where that is undefined.
+  /// unknown, the criterion includes the correction for few samples (AICc), and is ∞ if the correction is undefined.
   double aic = 0.0;
   bool converged = false;
   int iterations = 0;
@@ -47,9 +48,10 @@ struct FitReport {
   std::string message;
   /// The model and its assumptions, in a few words.
   std::string note;
-  /// Warnings that a user must know before using the numbers, one sentence each.
+  /// What a user must know before using the numbers: a sentence for each warning.
   std::vector<std::string> warnings;
-  /// The samples reject the assumed γ; their scatter is more than their sigmas say. Each has its warning.
+  /// Whether the samples reject the assumed γ, and whether they scatter more than their sigmas say. If so, `warnings`
+  /// says it, too.
   bool gamma_refused = false;
   bool scatter_refused = false;
 

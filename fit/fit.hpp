@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Fits: from curves and measurements to friction parameters with their uncertainty.
+/// Fits friction parameters, with their uncertainty, to curves and measurements.
 #include "contact_fit.hpp"
 #include "curve_fit.hpp"
 #include "estimate.hpp"

@@ -12,13 +12,13 @@ namespace limitcurve::fit {
 /// A row of a file with the columns `load,force,moment[,sigma_force,sigma_moment]`.
 struct Sample {
   double load = 0.0;    ///< P [N], > 0
-  double force = 0.0;   ///< F [N]: tangential friction force; its sign does not matter
-  double moment = 0.0;  ///< M [N·m]: friction moment about the contact normal; its sign does not matter
-  /// Standard deviations [N], [N·m], > 0; or both 0 in all samples if unknown.
+  double force = 0.0;   ///< F [N]: tangential friction force; the sign may be either
+  double moment = 0.0;  ///< M [N·m]: friction moment about the contact normal; the sign may be either
+  /// Standard deviations [N], [N·m]. They must be > 0, or 0 in all samples if they are unknown.
   double sigma_force = 0.0;
   double sigma_moment = 0.0;
-  std::size_t row = 0;   ///< the number by which messages name it, such as a line of a file; 0: its place, from 1
-  std::size_t grip = 0;  ///< which contact of a log it belongs to, for Loss::edge; 0: unknown
+  std::size_t row = 0;   ///< the number by which messages name the sample, such as a line of a file; 0: count from 1
+  std::size_t grip = 0;  ///< the contact of the log to which the sample belongs, for Loss::edge; 0: unknown
 };
 
 /// Contact radii, or moments of pure twists, at loads: the rows of a file with the columns `load,radius[,sigma_radius]`
@@ -28,7 +28,7 @@ struct LoadSamples {
   struct Row {
     double load = 0.0;    ///< P [N], > 0
     double value = 0.0;   ///< radius [m] or moment [N·m], > 0
-    double sigma = 0.0;   ///< standard deviation of the value, > 0; or 0 in all samples if unknown
+    double sigma = 0.0;   ///< standard deviation of the value, > 0, or 0 in all samples if unknown
     std::size_t row = 0;  ///< as in Sample
   };
   Quantity quantity = Quantity::radius;
@@ -40,15 +40,15 @@ struct LoadSamples {
 /// Gaussian data.
 struct Loss {
   enum class Kind {
-    squared,  ///< r²: best for Gaussian errors, spoiled by one gross outlier
+    squared,  ///< r²: best for Gaussian errors, but a gross outlier spoils it
     huber,    ///< r² up to scale, then linear: bounded influence
     cauchy,   ///< scale² log(1 + r²/scale²): the influence of gross outliers goes to zero
-    edge,     ///< rows may also lie below the limit: of a log without marks (`fit_contact` with a law)
+    edge,     ///< rows may also lie below the limit, as in a log that does not mark slip (`fit_contact` with a law)
   };
   Kind kind = Kind::squared;
   double scale = 1.0;
 
-  /// With its default scale.
+  /// The loss with the default scale of its kind.
   static constexpr Loss of(Kind kind) noexcept {
     switch (kind) {
       case Kind::squared:

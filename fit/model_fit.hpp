@@ -23,7 +23,7 @@ namespace limitcurve::fit {
 enum class Kind {
   ellipse,  ///< the nearest ellipse, to slips or to the exact curve of a law
   ratio,    ///< mu, mu_r and the radius that they imply under the law, from slips or from published ratios
-  law,      ///< the same for the law of the options, or, without one, for the law that explains the slips best
+  law,      ///< as ratio, for the law of the options, otherwise for the law that explains the slips best
   load,     ///< a(P) or mu_r(P), from radii or moments at several loads
   friction  ///< mu of a patch, from pushes
 };
@@ -33,11 +33,11 @@ inline constexpr std::array<std::string_view, 5> kind_names{"ellipse", "ratio", 
 /// Throws std::invalid_argument that lists the names.
 Kind parse_kind(std::string_view text);
 
-/// Pushes of a patch, which must outlive them.
+/// Pushes of a patch. The patch and the pushes must outlive this view.
 struct Pushes {
   const Patch& patch;
   std::span<const Push> pushes;
-  std::optional<double> load;  ///< P [N]; without it mu is mu P [N]
+  std::optional<double> load;  ///< P [N]; if absent, mu is mu P [N]
 };
 
 using Data = std::variant<Law, std::span<const Sample>, std::span<const RatioSample>, LoadSamples, Pushes>;
@@ -50,17 +50,17 @@ struct FitOptions : ContactFitOptions {
 
 /// The result of a fit of any kind: `report.estimates` are the rows parameter, value, std_error, unit.
 struct ModelFit {
-  std::string model;  ///< the fitted model, or the best one
+  std::string model;  ///< the fitted model, or the best model
   FitReport report;
   std::optional<CurveError> error;  ///< against the exact curve, for fits to a law
   /// For fits to slips: distance of each sample from the curve in standard deviations, positive outside.
   std::vector<double> residuals = {};
-  /// The models that were compared, best first, and their AIC minus that of the best; empty if none were.
+  /// The models that were compared, best first, and their AIC minus the AIC of the best; empty if nothing was compared.
   std::vector<std::pair<std::string, double>> candidates = {};
 };
 
-/// Fits `ratio` with a warning that lists the radius under each other common law, and `load` with a free exponent
-/// unless `load_model` says otherwise; options of other kinds or data have no effect. Throws std::invalid_argument for
+/// Fits any kind. `ratio` warns of the radii that the other common laws imply, and `load` has a free exponent unless
+/// `load_model` says otherwise. Options of other kinds or data have no effect. Throws std::invalid_argument for
 /// data of another kind, and what the fit throws.
 ModelFit fit(Kind kind, const Data& data, const FitOptions& options = {});
 

@@ -15,9 +15,10 @@
 /// ```cpp
 /// #include "godobject/godobject.hpp"
 /// using namespace limitcurve;
-/// godobject::SoftFinger finger(Table::build(hertz()), {.mu = 0.6, .stiffness = 1000, .twist_stiffness = 0.025,
-/// .damping = 1}); const godobject::AnySurface plate{godobject::PlaneSurface()}; for (int step = 0; step < 1000;
-/// ++step) {  // every millisecond
+/// const godobject::FingerParameters skin{.mu = 0.6, .stiffness = 1000, .twist_stiffness = 0.025, .damping = 1};
+/// godobject::SoftFinger finger(Table::build(hertz()), skin);
+/// const godobject::AnySurface plate{godobject::PlaneSurface()};
+/// for (int step = 0; step < 1000; ++step) {  // every millisecond
 ///   const godobject::DevicePose device{{1e-5 * step, 0, -1e-3}, Eigen::Quaterniond::Identity()};  // [m]
 ///   const godobject::FingerOutput output = finger.update(plate, device, 1e-3);                     // [s]
 ///   // On the user: output.whole_force() [N], output.moment_vector() [N m].
@@ -33,8 +34,8 @@
 /// A finger has
 ///  - a limit curve, FingerCurve: a Table of any law, an Ellipse, or a box (the paper's uncoupled step);
 ///  - FingerParameters (finger.hpp): friction, contact radius a(P), springs, dampers;
-///  - a Projection: closest_point settles at eq. (17)'s wrench if the slide keeps its direction; radial and c_curve are
-///  the paper's (§5).
+///  - a Projection: closest_point settles at eq. (17)'s wrench if the slide keeps its direction; radial and c_curve
+///    come from the paper (§5).
 /// `update` takes an AnySurface (plane, or yours by surface.hpp; sphere, capsule, cylinder, box by
 /// surfaces/surfaces.hpp), or a Contact that other code has found, in the frame of the touched body (BodyPose).
 ///

@@ -41,8 +41,8 @@ class SoftFinger {
   /// tangent plane instead. `update(contact, twist)` has no orientation, so it always projects the previous axis. A
   /// contact then starts with the world's x axis, turned by the shortest rotation from z to the normal and then about
   /// the normal by the twist. A closed path of the normal turns the patch by the solid angle of the path, for example
-  /// by 0.8 rad in 100 circles at 0.05 rad. The contact point is the centre of pressure: springs act there, and moments
-  /// refer to it.
+  /// by 0.8 rad in 100 circles at 0.05 rad. In a step, friction is that of the patch before the slip of the step turns
+  /// it. The contact point is the centre of pressure: springs act there, and moments refer to it.
   ///
   /// Smoothing: a point under the centre of rotation can carry any force up to its limit, so the search would have no
   /// derivative there. Each point therefore gets a radius ε: its speed |u| becomes √(|u|² + ε²ω²), which changes the

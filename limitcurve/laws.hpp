@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-/// The pressure laws. Each factory checks its parameters and throws `std::invalid_argument`, which names the parameter,
-/// its value and its range. The formula of each law is its pressure p(ρ)·πa²/P on 0 ≤ ρ = r/a ≤ 1; the pressure is zero
+/// The pressure laws. A factory throws `std::invalid_argument` for a bad parameter, with the name, the value and the
+/// range of the parameter. The formula of a law is the pressure p(ρ)·πa²/P on 0 ≤ ρ = r/a ≤ 1; the pressure is zero
 /// outside. "Closed" and "ring" name the evaluator (limitcurve/README.md).
 namespace limitcurve {
 
@@ -25,9 +25,9 @@ Law flat_punch();
 /// arccosh(1/ρ): rigid cone on an elastic half-space (Love 1939). Closed.
 Law cone();
 /// 1/(2ρ): a clutch, brake or pad worn in by rotation, so that pressure times speed is the same everywhere. Ring. The
-/// pressure is infinite at the centre: as s → 0, f → (s/2)(ln(4/s) + ½), whose slope grows without bound (at 0 it is
-/// that of the smallest s). The methods ring, direct and boost, if asked for by name, leave out the load within 1e-80
-/// of the centre, which changes f below s = 1e-30.
+/// pressure is infinite at the centre, so the slope of f → (s/2)(ln(4/s) + ½) grows without bound as s → 0 (at 0 you
+/// get the slope at the smallest s). The methods ring, direct and boost, if asked for by name, leave out the load
+/// within 1e-80 of the centre, which changes f below s = 1e-30.
 Law uniform_wear();
 /// (n+1)(1−ρ²)ⁿ, n ∈ (−1, 1000]. Closed: ₂F₁ by its Euler integral, whose integrand is positive for all n. n → −1: all
 /// pressure on the rim.
@@ -36,8 +36,8 @@ Law power(double n);
 Law xydas_kao(double k);
 /// exp(−ρ²/2σ²)/(2σ²), σ ∈ [10⁻⁶, 10⁶] in units of a. This law has no rim: a is only a unit of length. Closed (Bessel).
 Law gaussian(double sigma);
-/// Σ wᵢ pᵢ, weights in (0, 10¹²], scaled to sum 1. f and m are linear in the pressure, so each part is evaluated by its
-/// own best method. Throws for an empty list, too.
+/// Σ wᵢ pᵢ, weights in (0, 10¹²], scaled to sum 1. f and m are linear in the pressure, so the best method for each part
+/// evaluates that part. Throws for an empty list, too.
 Law mixture(std::span<const std::pair<double, Law>> parts);
 
 /// The law with the name `text`: `hertz uniform parabolic flat-punch cone uniform-wear power:n=2.3 xydas-kao:k=3

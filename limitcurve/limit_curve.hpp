@@ -11,17 +11,15 @@ namespace limitcurve {
 /// ExactCurve, Table, Ellipse and Polygon (box, diamond) model this concept. Errors and load curves are templates over
 /// this concept.
 ///
-/// Requirements; tests/limitcurve/curve_suite.cpp has a test for each, and runs it for every curve:
-///  - `wrench(t)`: the curve point whose outward normal is the slip twist t; on a flat face any point of the face. A
-///  zero twist gives
-///                 wrench 0;
-///  - `point(t)`:  the same point, with its derivative in the spin fraction u, for t ≠ 0;
-///  - `along(w)`:  the curve point on the ray from the origin through w ≠ 0, and the normal there; at a corner any one
-///  of
-///                 its normals;
-///  - `gauge(w)`:  the factor γ ≥ 0 for which w/γ is on the curve; γ < 1: the contact holds, γ > 1: it slips, γ = 0 for
-///                 w = 0, ∞ for an infinite w;
-///  - `moment_ratio()`: moment intercept divided by force intercept, m₀ = μ_r/(μ a).
+/// A curve must have these functions; tests/limitcurve/curve_suite.cpp tests each requirement for every curve:
+///  - `wrench(t)` returns the curve point whose outward normal is the slip twist t. On a flat face, it may be any point
+///    of the face. A zero twist gives wrench 0.
+///  - `point(t)` returns that point for t ≠ 0, with the derivative in the spin fraction u.
+///  - `along(w)` returns the curve point on the ray from the origin through w ≠ 0, and the normal there. At a
+///    corner, it may be any normal of the corner.
+///  - `gauge(w)` returns the factor γ ≥ 0 for which w/γ is on the curve. The contact holds if γ < 1 and slips if γ > 1;
+///    γ is 0 for w = 0, and ∞ for an infinite w.
+///  - `moment_ratio()` returns the moment intercept divided by the force intercept, m₀ = μ_r/(μ a).
 /// Signs of t and w must be ignored, and results must be ≥ 0 (slopes as in SlopedPoint). The functions must not throw,
 /// allocate or lock, and every loop must be bounded. NaN must give NaN. Results must stay accurate if twists and
 /// wrenches are multiplied by 1e-120 … 1e120.

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-/// Table files, format 2: CSV to read back or to plot in a spreadsheet, JSON for other programs. Both keep every bit
-/// of every number, and have a checksum of facts and rows.
+/// Table files, format 2. You can read a CSV file back or plot it in a spreadsheet; JSON is for other programs. The two
+/// forms keep every bit of every number, and have a checksum of facts and rows, so that an edited file is rejected.
 namespace limitcurve {
 
 /// FNV-1a (64 bits) of the facts and rows of the table as text: "fnv1a:" and 16 hexadecimal digits.

@@ -8,7 +8,7 @@
 namespace limitcurve {
 
 /// A friction wrench in dimensionless units: force f = F/(μP), moment m = M/(μPa).
-/// Both are magnitudes, ≥ 0; the caller keeps the senses of sliding and twisting.
+/// The components are magnitudes, ≥ 0, so the caller must keep the senses of sliding and twisting.
 struct UnitWrench {
   double force = 0.0;
   double moment = 0.0;
@@ -21,9 +21,10 @@ struct UnitWrench {
   friend bool operator==(const UnitWrench&, const UnitWrench&) = default;
 };
 
-/// The direction of slip, (|v| : a|ω|): sliding speed against the rim speed of the rotation. Only the ratio matters. It
-/// is the outward normal of the limit curve at the wrench that the slip causes (maximum dissipation). Unlike the
-/// distance c of the centre of rotation it is finite at both ends, pure sliding and pure spin.
+/// The direction of slip, (|v| : a|ω|), compares the sliding speed with the rim speed of the rotation. Only the ratio
+/// matters. This direction is the outward normal of the limit curve at the wrench that the slip causes (maximum
+/// dissipation). Unlike the distance c of the centre of rotation, the direction is finite for pure sliding and for pure
+/// spin.
 struct SlipTwist {
   double slide = 0.0;  ///< |v| [m/s, or any unit]
   double spin = 1.0;   ///< a|ω| [same unit]
@@ -37,14 +38,14 @@ struct SlipTwist {
   /// The twist of spin fraction u ∈ [0, 1]: 0 is pure sliding, ½ has its COR on the rim, 1 is pure spin.
   static constexpr SlipTwist of_spin_fraction(double u) noexcept { return {1.0 - u, u}; }
 
-  /// The twist without signs: wrenches are magnitudes, whatever the senses of sliding and turning.
+  /// The twist without signs, because wrenches are magnitudes, whatever the senses of sliding and turning.
   [[nodiscard]] constexpr SlipTwist magnitudes() const noexcept {
     return {slide < 0.0 ? -slide : slide, spin < 0.0 ? -spin : spin};
   }
-  /// No slip. The wrench of such a twist is 0, one of the many that hold.
+  /// Whether there is no slip. The wrench of such a twist is 0, although many other wrenches hold.
   [[nodiscard]] constexpr bool is_zero() const noexcept { return slide == 0.0 && spin == 0.0; }
-  /// A slip's direction: magnitudes of which the larger is 1. ∞ is along its axis; `slide` is NaN if a component is, or
-  /// both are ∞ or 0.
+  /// The direction of a slip as magnitudes of which the larger is 1. An infinite component gives the direction of that
+  /// axis. `slide` is NaN if a component is NaN, or if they are both ∞ or both 0.
   [[nodiscard]] constexpr SlipTwist direction() const noexcept {
     const auto [v, w] = magnitudes();
     return v > w ? SlipTwist{1.0, w / v} : SlipTwist{v / w, 1.0};
@@ -76,7 +77,7 @@ struct RadialPoint {
 struct WrenchEstimate {
   UnitWrench wrench;
   UnitWrench error;          ///< absolute, ≥ 0
-  double force_slope = 0.0;  ///< df/ds; the moment's is dm/ds = −s·df/ds
+  double force_slope = 0.0;  ///< df/ds; the moment has dm/ds = −s·df/ds
 };
 
 /// A unit wrench and the slope of its force, df/ds, in double or extended precision.

@@ -15,12 +15,13 @@ namespace limitcurve::godobject {
 /// not overlap.
 ///
 /// A sample that is not plausible (`farthest`), a NaN among them, is a fault of the device. The contact's state is then
-/// `invalid`, and none of its other arrays changes: its last output is held. A proxy that is not finite, or farther
-/// from the finger than two samples can be, is a fault until the contact ends.
+/// `invalid`, and nothing else of the contact changes, so that the last output is held. A proxy that is not finite, or
+/// farther from the finger than two samples can be, is a fault until the contact ends.
 ///
-/// A float takes half the memory of a double, but resolves 6e-8 of a coordinate: 60 nm at 1 m from the origin, while
-/// slips are micrometres. So give positions relative to a point near the contact (the object's origin, the touch-down),
-/// and angles within a few turns. A slip below the resolution does not move the proxy, and counts as held.
+/// A float takes half the memory of a double, but resolves 6e-8 of a coordinate. For example, that is 60 nm at 1 m from
+/// the origin, while slips are micrometres. Therefore give positions relative to a point near the contact (the object's
+/// origin, the touch-down), and angles within a few turns. A slip below the resolution does not move the proxy, and
+/// counts as held.
 template <class Real>
 struct BasicContactBatch {
   std::span<const Real> x;  ///< x_g [m]
@@ -33,7 +34,7 @@ struct BasicContactBatch {
   std::span<ContactState> state;  ///< in and out; initially `free`, `invalid` after a fault
   std::span<ContactState>
       force_slides;  ///< memory: `slip` while the sliding limit acts, else `stick`; initially `free`
-  std::span<ContactState> moment_slides;  ///< on a box the same for the moment; otherwise not used
+  std::span<ContactState> moment_slides;  ///< on a box, `force_slides` of the moment; otherwise not used
   std::span<Real> search_start;           ///< warm start of the search (FrictionMemory); initially 0
   std::span<Real> search_rate;            ///< its rate; initially 0
   std::span<Real> fx;                     ///< friction on the user [N]
@@ -70,7 +71,7 @@ class BasicContactArrays {
 
   [[nodiscard]] std::size_t size() const noexcept { return count_; }
 
-  /// The input of a step: write to it. Units as in BasicContactBatch.
+  /// The input of a step, to which you should write. Units as in BasicContactBatch.
   [[nodiscard]] std::span<Real> x() noexcept { return array(0); }
   [[nodiscard]] std::span<Real> y() noexcept { return array(1); }
   [[nodiscard]] std::span<Real> twist() noexcept { return array(2); }
@@ -109,8 +110,8 @@ using FloatContactArrays = BasicContactArrays<float>;
 ///     ContactArrays arrays(10000);
 ///     batch.step(arrays.batch());  // every millisecond, after x, y, twist and depth are written
 ///
-/// Results have the same bits on every instruction set. Immutable: any number of threads may share one, each with its
-/// part of the arrays. Allocates at construction only. Cost: docs/speed.md.
+/// Results have the same bits on every instruction set. Immutable: any number of threads may share a batch, if each
+/// thread has a part of the arrays. Allocates at construction only. Cost: docs/speed.md.
 template <class Real>
 class BasicBatch {
  public:

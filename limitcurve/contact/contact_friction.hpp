@@ -8,8 +8,8 @@
 
 namespace limitcurve {
 
-/// The friction of a round contact: its coefficient of friction, and either its contact radius or its moment
-/// coefficient.
+/// The friction of a round contact. You must give the coefficient of friction, and either the contact radius or the
+/// moment coefficient.
 struct ContactFriction {
   double mu = 0.0;                           ///< coefficient of friction μ ≥ 0
   std::optional<RadiusLaw> radius_law = {};  ///< contact radius a(P); or

@@ -16,9 +16,10 @@ inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 /// `load_to_hold` of a contact whose radius law is known and whose numbers are in range.
 ///
-/// It is the root of ln gauge(F/μP, M/μPa(P)) = 0 in ln P. The slope is −(1 + γω): γ is the exponent of the radius law,
-/// ω the fraction of the dissipated power that rotation takes, from the curve's normal. Newton's method inside a
-/// bracket: below, the larger of the loads that hold F alone and M alone; above, by convexity, their sum.
+/// The load is the root of ln gauge(F/μP, M/μPa(P)) = 0 in ln P. The slope is −(1 + γω), where γ is the exponent of the
+/// radius law and ω, from the curve's normal, is the fraction of the dissipated power that rotation takes. Newton's
+/// method stays inside a bracket, which reaches from the larger of the loads that hold F alone and M alone to, because
+/// the curve is convex, their sum.
 template <class Curve>
 double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, double force, double moment) {
   constexpr int search_limit = 60;
@@ -68,11 +69,11 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
 inline namespace LIMITCURVE_COPIES {
 #endif
 
-/// How hard to grip: the smallest load [N] under which the contact carries a force [N] and a moment [N·m] without slip.
-/// Ignores signs. Returns 0 if both are zero; ∞ if there is no friction, if μ_r is 0 but the moment is not, or if no
-/// finite load holds; NaN for NaN. The relative error is at most 1e-12 plus that of the curve; for a measured pressure,
-/// add `hold_error`. Cost: one call of `gauge` for a constant radius, else 3 to 6 calls of `along`, at most 60. Throws
-/// like `ContactFriction::radius`.
+/// How hard you must grip: returns the smallest load [N] under which the contact carries a force [N] and a moment [N·m]
+/// without slip. Ignores signs. Returns 0 if both are zero; ∞ if there is no friction, if μ_r is 0 but the moment is
+/// not, or if no finite load holds; NaN for NaN. The relative error is at most 1e-12 plus that of the curve; for a
+/// measured pressure, add `hold_error`. Cost: one call of `gauge` for a constant radius, else 3 to 6 calls of `along`,
+/// at most 60. Throws like `ContactFriction::radius`.
 template <class Curve>
 double load_to_hold(const Curve& curve, const ContactFriction& contact, double force, double moment) {
   const RadiusLaw radius_law = detail::radius_law_of(curve, contact);

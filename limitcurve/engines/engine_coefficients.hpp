@@ -25,7 +25,7 @@ struct EngineCoefficient {
   std::string formula;  ///< from μ, μ_r = μ m₀ a, m₀, a, and f, the other body's friction, which is 1 here; or a number
   std::string
       two_bodies;    ///< how the engine combines the numbers of two bodies; empty for a setting of the whole scene
-  std::string note;  ///< what the engine multiplies it by; the value's name in the engine, if it has one
+  std::string note;  ///< what the engine multiplies it by; the name of the value in the engine, if there is a name
   double low;        ///< smallest value over the range of loads
   double high;       ///< largest
 };
@@ -41,7 +41,7 @@ struct EngineContact {
   /// Largest distance in the normalised plane between the wrenches of engine and exact curve for the same slip twist
   /// (imposed COR).
   double max_wrench_error = 0.0;
-  /// Largest error.max_error over the range of loads: constant coefficients cannot follow a(P).
+  /// Largest error.max_error over the range of loads, because constant coefficients cannot follow a(P).
   double max_error_over_loads = 0.0;
   std::string documentation;  ///< where the project documents the coefficients, or its source
   std::string caveat;         ///< what else must be set
@@ -55,16 +55,17 @@ struct LoadRange {
 
 /// The coefficients that give a contact with friction coefficient `mu` > 0 [1] its exact limits μP and Γ = m₀ μ P a(P)
 /// at `load` > 0 [N], for each engine and shape in the order of data/engines/engines.csv; an engine that cannot carry a
-/// moment gets its friction. Contacts whose moment no number sets (field: pressure on a mesh) are left out. Throws
-/// std::invalid_argument for values out of range.
+/// moment gets the friction alone. Contacts whose moment no number sets (field: pressure on a mesh) are left out.
+/// Throws std::invalid_argument for values out of range.
 std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law, double mu, double load,
                                      LoadRange loads);
 /// The same over the loads from a quarter of `load` to four times `load`.
 std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law, double mu, double load);
 /// The same for a contact that is not round: Γ = m₀ μ P about its centre of pressure, at every load. Errors compare the
-/// powers of the shape and of the patch over all sliding twists (`engine_shapes`): their largest ratio is that of the
-/// radii. Throws also for a patch without moment. A friction factor of all directions goes into μ; where mx ≠ my,
-/// engines that have two coefficients of friction get both, and the others, `engines_of_one_friction`, are left out.
+/// powers of the shape and of the patch over all sliding twists (`engine_shapes`), because the largest ratio of powers
+/// is also the largest ratio of radii. Throws also for a patch without moment. A friction factor of all directions goes
+/// into μ; if mx ≠ my, engines that have two coefficients of friction get mx and my, and `engines_of_one_friction` are
+/// left out.
 std::vector<EngineContact> translate(const Patch& patch, double mu);
 std::vector<std::string> engines_of_one_friction();
 
@@ -90,10 +91,10 @@ struct CoefficientMeaning {
 };
 
 /// The inverse of `translate`: one row per number, in their order. Numbers of one engine belong to one contact; a
-/// parameter that the engine has already had begins its next contact. The contact's friction is the one among its
-/// numbers, else `mu` > 0. A missing number is the engine's default, but a switch counts as on; the note says so. A
-/// number that another one switches off has moment 0. Throws std::invalid_argument for an unknown name, with the known
-/// ones, for values < 0 or not finite, and if a radius needs `mu` and it is NaN.
+/// parameter that the engine has already had begins its next contact. The friction of a contact is among the
+/// numbers; otherwise it is `mu` > 0. If a number is missing, the engine's default counts, but a switch counts as on,
+/// and the note says so. A number that another number switches off has moment 0. Throws std::invalid_argument for an
+/// unknown name, with the known ones, for values < 0 or not finite, and if a radius needs `mu` and it is NaN.
 std::vector<CoefficientMeaning> read_coefficients(std::span<const EngineNumber> numbers, double mu, const Law& law);
 
 }  // namespace limitcurve::engines

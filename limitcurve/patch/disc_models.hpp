@@ -24,9 +24,8 @@ double disc_factor(const Patch& patch);
 
 /// The round models of a patch and their errors against it:
 ///   disc:LAW              the law of `law_examples()` and the radius with the smallest largest error,
-///   disc-equal-area:LAW   of the patch's area; the law is the ellipse's own, else uniform; left out where the patch
-///   has no
-///                         area,
+///   disc-equal-area:LAW   the disc of the patch's area, with the law of an ellipse, otherwise uniform; left out if the
+///                         patch has no area,
 ///   ellipsoid             √(v² + m₀²ω²), m₀ = H(0, 0, 1); v is (mx v_x, my v_y) under orthotropic friction.
 /// Discs have `disc_factor` times μ.
 /// `max_over_estimate` and `max_under_estimate` are the largest of H_model/H − 1 and 1 − H_model/H over all twists,

@@ -55,7 +55,7 @@ struct PatchFriction {
 /// How a patch slips under a wrench.
 struct PatchSlip {
   PatchTwist twist;  ///< about the origin, of power 1 against the wrench, or of less if that overflows; NaN for wrench
-                     ///< 0 and for one that no load holds
+                     ///< 0 and for a wrench that no load holds
   double gauge = 0.0;  ///< of the wrench: 1 on the limit surface
   double error = 0.0;  ///< bound on |ΔF| and |ΔM|/m₀, Δ from wrench/gauge to the twist's wrench and what a point under
                        ///< the COR bears
@@ -69,11 +69,12 @@ struct Shape;
 /// of a twist is a convex function of degree one, and its gradient is the wrench. Twists and moments refer to the
 /// centre of pressure unless stated otherwise. Immutable: copies share the data, and so may threads.
 ///
-/// Errors, as `PatchFriction::error` defines them: points and polygons 1e-13 (for polygons of area A, perimeter L and
+/// Costs are those of `evaluate`; `about_origin` takes two to four times as long. Errors, as `PatchFriction::error`
+/// defines them: points and polygons 1e-13 (for polygons of area A, perimeter L and
 /// radius R the error grows with L R²/(A m₀)); ellipses of an aspect up to 20: 1e-12 for smooth laws, else 1e-10 plus
 /// the law's own error; images: see `image`.
 ///
-/// A zero twist gives wrench 0, one of the many wrenches that hold. A point exactly under the centre of rotation (COR)
+/// A zero twist gives wrench 0, although many wrenches hold. A point exactly under the centre of rotation (COR)
 /// carries no force. NaN gives NaN. The factories throw std::invalid_argument, with the vertex, point or pixel (counted
 /// from 1), its value and what is expected. Lengths are in metres, between 1e-100 and 1e100.
 class Patch {
@@ -91,10 +92,10 @@ class Patch {
   /// breaks more.
   static Patch ellipse(const Law& law, double a, double b);
   /// A pressure image: rows of equal length, the first at the largest y. A pixel is a square of side `pixel` under
-  /// constant pressure. Negative pressures are noise, which tells its own size, as in `samples` (laws.hpp). The origin
-  /// is the centre of pressure. Pixels next to the COR are integrated as squares; other pixels are points with the
-  /// square's radius of gyration. The error comes from fourth moments: 1e-5 for a dense image of 64 × 64, 1e-2 for a
-  /// single pixel. Cost: 1 ns a pixel with AVX2, 3 ns without.
+  /// constant pressure. Negative pressures are noise and show how large the noise is, as in `samples` (laws.hpp). The
+  /// origin is the centre of pressure. Pixels next to the COR are integrated as squares; other pixels are points with
+  /// the square's radius of gyration. The error comes from fourth moments: 1e-5 for a dense image of 64 × 64, 1e-2 for
+  /// a single pixel. Cost: 1 ns a pixel with AVX2, 3 ns without.
   static Patch image(std::span<const double> pressures, std::size_t columns, double pixel) {
     return image(pressures, columns, pixel, pixel);
   }
@@ -107,8 +108,8 @@ class Patch {
   Patch(const Patch&) = default;
   Patch& operator=(const Patch&) = default;
 
-  /// The patch with orthotropic friction: coefficients mx along x and my along y, in [1e-6, 1e6], as multiples of this
-  /// patch's. Associated flow: H = ⟨|diag(mx, my) u|⟩.
+  /// The patch with orthotropic friction: coefficients mx along x and my along y, in [1e-6, 1e6], as multiples of the
+  /// coefficient of this patch. Associated flow: H = ⟨|diag(mx, my) u|⟩.
   [[nodiscard]] Patch orthotropic(double mx, double my) const;
   /// The patch with H twice differentiable for ω ≠ 0, as a finger needs it. Points get a radius ε > 0 [m]: |u| becomes
   /// √(|u|² + ε²ω²). All pixels of an image become such points. Other kinds are smooth already.
@@ -123,13 +124,13 @@ class Patch {
   [[nodiscard]] PatchWrench wrench(const PatchTwist& twist) const noexcept { return evaluate(twist).wrench; }
 
   /// The gauge of a wrench in units of μP about the centre of pressure: 0 for wrench 0, 1 on the limit surface, more
-  /// where the patch slips; inf for a moment if all load is on one point. Relative error 1e-12 plus the patch's own.
+  /// where the patch slips; inf for a moment if all load is on a point. Relative error 1e-12 plus the patch's error.
   /// Cost: about 10 wrenches, 20 for points, seldom 200: where H has a kink close by.
   [[nodiscard]] double gauge(const PatchWrench& wrench) const noexcept;
   /// The slip that begins when a wrench [N, N m], about the origin of the coordinates, overcomes friction: the inverse
-  /// of `about_origin`. Where the limit surface is flat, the slip is about a point, which may carry any force up to its
-  /// share: exactly, with factors to their rounding. Points on one line, and a single point, may slip in more than one
-  /// way: this is one of them. Cost: that of `gauge`, and 5 wrenches.
+  /// of `about_origin`. If the limit surface is flat there, the slip is about a point, which can carry any force up to
+  /// its share; the result is exact but for rounding. Points on a line, and a single point, can slip in several ways,
+  /// of which you get any. Cost: that of `gauge`, and 5 wrenches.
   [[nodiscard]] PatchSlip slip(const PatchWrench& wrench) const;
 
   /// Centre of pressure [m].
@@ -141,7 +142,8 @@ class Patch {
   [[nodiscard]] double radius() const noexcept { return radius_; }
   /// The friction factors along x and y, 1 unless `orthotropic`.
   [[nodiscard]] PatchPoint factors() const noexcept { return {mx_, my_}; }
-  /// Of an ellipse those of its law; of an image how much counts as 0. Lines that begin with "note: " or "warning: ".
+  /// The remarks on the law of an ellipse, or how much of an image counts as 0. Lines that begin with "note: " or
+  /// "warning: ".
   [[nodiscard]] std::vector<std::string> remarks() const;
 
   /// Cost of a wrench with the COR near the patch [ns], measured where a table's costs 9 ns. Compare it with other
@@ -151,7 +153,7 @@ class Patch {
   /// Measures from which round models of the patch are made. Zero if the patch has none: points have no area.
   struct RoundMeasures {
     double area = 0.0;  ///< under pressure [m²]
-    Law law;            ///< the patch's own if it is an ellipse, else uniform
+    Law law;            ///< the law of an ellipse, otherwise uniform
     std::vector<PatchLoad>
         concentrations;  ///< where H may have a sharp minimum with the COR there: points; pixels, with load 0
   };

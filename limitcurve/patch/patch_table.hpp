@@ -46,9 +46,9 @@ auto numbers_of(Contents& of) {
                     std::pair("my", &of.factors.y)};
 }
 
-/// The limit surface of any patch as a table. A wrench costs 30 ns whatever the shape of the patch, so that a loop of
-/// 1 kHz can use a tactile image of any size, or an ellipse of a law without closed form. Everything that takes a Patch
-/// takes a table. Copies share the table, and so may threads.
+/// The limit surface of any patch as a table. A wrench costs about 40 ns whatever the shape of the patch, so that a
+/// loop of 1 kHz can use a tactile image of any size, or an ellipse of a law without closed form. Everything that takes
+/// a Patch takes a table. Copies share the table, and so may threads.
 ///
 /// The error of the table is the largest of |ΔF|, in units of μP, and |ΔM|, in units of μP m₀ about the centre of
 /// pressure, over all twists. Slides along x and y and a pure spin are exact. The wrench is a continuous function of
