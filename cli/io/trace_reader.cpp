@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace limitcurve::cli {
 
@@ -68,7 +69,9 @@ TraceReader::TraceReader(const std::string& file, std::size_t fingers, bool body
 
 bool TraceReader::next() {
   if (!reader_.next()) return false;
-  time_ = reader_.number(time_column, finite);
+  const double before = std::exchange(time_, reader_.number(time_column, finite));
+  if (seen_) questions_.time_step(time_ - before);
+  seen_ = true;
   for (std::size_t i = 0; i < fingers_.size(); ++i) {
     const std::size_t twist = first_optional_ + optional_per_finger * i;
     fingers_[i].position = position(column_of_finger(i));

@@ -49,6 +49,7 @@ class TraceReader {
   bool body_moves_;
   CsvReader reader_;
   double time_ = 0.0;
+  bool seen_ = false;  ///< whether there was a sample
   std::vector<godobject::DevicePose> fingers_;
   std::vector<std::string> missing_twists_;
   std::vector<double> last_twists_;  ///< NaN before the first sample

@@ -50,6 +50,11 @@ void UnitChecks::twist(double before, double now, double time) {
   });
 }
 
+void UnitChecks::time_step(double step) {
+  ++steps_;
+  if (step > 1.0) ++long_steps_;
+}
+
 void UnitChecks::angle(const std::string& what, double angle, std::string_view text) {
   if (std::fabs(angle) <= 2.0 * std::numbers::pi || text.ends_with("deg") || text.ends_with("rad")) return;
   others_.push_back(what + " = " + format_number(angle) + " rad is more than a turn: if you mean degrees, write " +
@@ -98,6 +103,10 @@ std::vector<std::string> UnitChecks::lines() const {
   if (2 * swapped_ > loaded_) {
     texts.push_back("the friction force exceeds the load in " + std::to_string(swapped_) + " of " +
                     std::to_string(loaded_) + " rows: are the two columns swapped?");
+  }
+  if (2 * long_steps_ > steps_) {
+    texts.push_back("the time steps exceed 1 s in " + std::to_string(long_steps_) + " of " + std::to_string(steps_) +
+                    " rows: if time is in ms or ns, add --units time=ms or time=1e-9");
   }
   for (std::string& text : texts) text.insert(0, "warning: ");
   return texts;

@@ -24,6 +24,8 @@ class UnitChecks {
   /// The twist [rad] of a sample: more than 1 rad from `before`, unless both are within a turn and it wraps around.
   /// NaN: no sample before.
   void twist(double before, double now, double time);
+  /// The time [s] since the sample before: above 1 s in more than half of the calls.
+  void time_step(double step);
   /// An angle [rad] read from `text`: more than a turn without a unit.
   void angle(const std::string& what, double angle, std::string_view text);
   /// The radii [m] of a law at loads > 0: above 0.1 m, or beyond the law's samples.
@@ -48,6 +50,8 @@ class UnitChecks {
 
   std::size_t loaded_ = 0;  ///< calls of `force_under`
   std::size_t swapped_ = 0;
+  std::size_t steps_ = 0;  ///< calls of `time_step`
+  std::size_t long_steps_ = 0;
   First loads_;
   First wrenches_;
   First twists_;

@@ -46,10 +46,11 @@ class Units(CommandLineTest):
                                                              1e-3 * (i % 7)) for i in range(20)])
         loads = self.file("loads.csv", "force,moment,load\n1,0,0.5\n1,0,0.4\n1,0,3\n")
         load = self.file("load.csv", "force,moment,load\n1,0,0.5\n1,0,3\n1,0,5000\n")
-        turned, wraps, deep = (self.trace(samples, name) for name, samples in (
+        turned, wraps, deep, stamps = (self.trace(samples, name) for name, samples in (
             ("turned", [(0.1 * i, 0, 0, -0.001, 30.0 * i) for i in range(4)]),
             ("wraps", [(0.1 * i, 0, 0, -0.001, math.remainder(0.5 * i, 2 * math.pi)) for i in range(20)]),
-            ("deep", [(0, 0, 0, -2, 0)])))
+            ("deep", [(0, 0, 0, -2, 0)]),
+            ("stamps", [(1764000000000000000 + 1000000 * i, 0, 0, -0.001, 0) for i in range(4)])))
         for command, *questions in (
             (f"{hold} --force 1 --moment 2", "a load of ", "a moment of 2 N m with a force of 1 N"),
             (f"{hold} --force 1 --moment 0.002",), (f"{hold} --force 0.5 --moment 0.15",),
@@ -64,6 +65,8 @@ class Units(CommandLineTest):
             (f"{coupled} target=30", "target = 30 rad is more than a turn"), (f"{coupled} target=30deg",),
             (f"{coupled} target=400deg",), (f"{replay} {turned}", "the twist changes by 30 rad up to time 0.1 s"),
             (f"{replay} {wraps}",), (f"{replay} {deep}", "a load of 2000 N"),
+            (f"{replay} {stamps}", "the time steps exceed 1 s in 3 of 3 rows"),
+            (f"{replay} {stamps} --units time=1e-9",),
             (f"{replay} {wraps} --surface sphere:radius=25", "50 m across: lengths must be", "a load of 24999 N"),
             (f"fit ratio --quiet --data {slips}",), (f"fit ratio --data {slips}", "force exceeds the load in ")):
             words = [one for word in command.split() for one in {"$LAW": LAW, "$FINGER": SPRINGS}.get(word, [word])]
