@@ -27,22 +27,24 @@ FACTOR = 2
 ANISOTROPY = 5
 # Verdicts, with the exit status. Code, help and docs/which_number.md read this table.
 VERDICTS = {
-    "dead": (1, "never acts, because the file switches it off"),
+    "dead": (1, "never acts, because the file switches it off, or no engine reads it there"),
     "unused": (1, "never acts, because no contact of the geom has condim 4 or 6"),
-    "hidden": (1, "another geom's number acts instead, always or with more than {FACTOR} times the contact's moment"),
+    "hidden": (1, "another number acts instead: always, or such that the moment is more than {FACTOR} times off"),
     "geom order": (1, "a pair's numbers in a geom's order: sliding differs more than {ANISOTROPY} times"),
     "too large": (1, "more than {FACTOR} times the contact's moment"),
     "too small": (1, "less than 1/{FACTOR} of the contact's moment"),
     "creeps": (0, "the options let a held object turn or sink"),
     "no contact": (0, "the geom touches nothing"),
     "no moment": (0, "the number sets no moment about the normal"),
-    "note": (0, "no contact is given to compare the number with"),
+    "note": (0, "no contact is given to compare the number with, or a priority or a pair sets another"),
     "ok": (0, "within these bounds"),
 }
 ERROR = 2  # exit status if the file or the arguments cannot be read
 FLAGS = ("condim", "priority", "contype", "conaffinity")
 USD = ("newton:torsionalFriction", "physxCollision:minTorsionalPatchRadius", "physxCollision:torsionalPatchRadius")
 DEFAULT = (1.0, 0.005, 0.0001)  # MuJoCo's friction of a geom
+PART = "a part of a scene? Give the file that includes it"
+TORSIONAL = ("coefficient", "patch_radius", "surface_radius")
 
 
 def verdicts():
@@ -56,7 +58,7 @@ class Element:
 
     def __init__(self, tag, attributes, file, line):
         self.tag, self.attributes, self.file, self.line, self.text, self.children = tag, attributes, file, line, "", []
-        self.get = attributes.get
+        self.get, self.is_read = attributes.get, False
 
     def child(self, *tags):
         for tag in tags:
@@ -71,7 +73,7 @@ class Element:
 
     def numbers(self, key=None, least=0.0):
         """Finite, and not below `least`: of an attribute, or of the text."""
-        words = (self.text if key is None else self.get(key, "")).split()
+        words, self.is_read = (self.text if key is None else self.get(key, "")).split(), True
         try:
             numbers = [float(word) for word in words]
         except ValueError:
@@ -80,6 +82,16 @@ class Element:
             hint = "; expand it first: xacro FILE.xacro > FILE.urdf" if "${" in "".join(words) else ""
             self.refuse(f"got '{' '.join(words)}', expected finite numbers{' >= 0' * (least == 0)}{hint}")
         return numbers
+
+    def number(self):
+        """Of an extension to URDF: the attribute `value` counts before the text."""
+        return self.numbers(None if self.get("value") is None else "value")[0]
+
+    def integer(self, key):
+        text, condim = self.get(key, "").strip(), key == "condim"
+        if not re.fullmatch("[1346]" if condim else r"[-+]?\d+", text):
+            self.refuse(f"{key}: got '{text}', expected {'1, 3, 4 or 6' if condim else 'an integer'}")
+        return int(text)
 
 
 def read_xml(path):
@@ -95,9 +107,13 @@ def read_xml(path):
 
     parser.buffer_text, parser.StartElementHandler, parser.EndElementHandler = True, start, lambda tag: stack.pop()
     parser.CharacterDataHandler = lambda data: setattr(stack[-1], "text", stack[-1].text + data)
-    parser.EntityDeclHandler = lambda *_: stack[-1].refuse("entities are not read")
+    parser.EntityDeclHandler = lambda name, *_: Element("!ENTITY", {}, path, parser.CurrentLineNumber).refuse(
+        f"not read: write its text in place of &{name};")
+    # Engines take what XML forbids: "--" in a comment, and space before the declaration.
+    text = re.sub(rb"(?s)<!--.*?-->|\A\s+<\?xml.*?\?>", lambda part: b"\n" * part[0].count(b"\n"),
+                  Path(path).read_bytes())
     try:
-        parser.Parse(Path(path).read_bytes(), True)
+        parser.Parse(text, True)
     except expat.ExpatError as error:
         raise ValueError(f"{path}:{error.lineno}: not well-formed XML: {expat.errors.messages[error.code]}") from None
     return stack[0].children[0]
@@ -120,7 +136,6 @@ class Row:
     mu: float = 1.0
     read: tuple = ()  # the number and those beside it, as `translate` reads them
     metre: float = 1.0  # length of the file's unit
-    rival: float = 0.0  # the largest number that acts in its place in a contact
 
 
 COLUMNS = list(Row.__dataclass_fields__)[:11]
@@ -133,7 +148,7 @@ class Rows:
     def __init__(self, law, mu, how):
         self.law, self.mu, self.how = law, mu, how
         self.wanted = lru_cache(None)(self.wanted)
-        self.found, self.notes = [], []
+        self.found, self.notes, self.engine = [], [], "the engine"
 
     def wanted(self, engine, mu):
         table = translate(mu=mu, engine=engine, **self.how)
@@ -142,16 +157,19 @@ class Rows:
     def not_read(self, at, text):
         self.notes.append(f"{at.file}:{at.line}: {text}")
 
-    def add(self, at, what, parameter, value, mu=None, others=(), verdict="", note="", count=1, metre=1.0, rival=0.0):
-        """`at`: the element that states the number. Without a verdict its moment is compared with the contact's."""
+    def add(self, at, what, parameter, value, mu=None, others=(), verdict="", note="", count=1, metre=1.0, acts=()):
+        """`at`: the element that states the number. Compares its moment with the contact's if there is no verdict; or
+        those of `acts`, the numbers (each with its `others`) that act in the scene's contacts."""
         mu = self.mu or (1.0 if mu is None else mu)
         if mu < 0:
             at.refuse(f"got friction {mu:g}, expected >= 0")
         engine = re.split("[.:]", parameter)[0]
-        read = (f"{parameter}={value * metre!r}", *(f"{engine}.{other}" for other in (*others, f"friction={mu!r}")))
+        read = tuple(text for number, *more in ((value, *others), *acts)
+                     for text in (f"{parameter}={number * metre!r}",
+                                  *(f"{engine}.{other}" for other in (*more, f"friction={mu!r}"))))
         self.found.append(
             Row(at.file, at.line, what, count, parameter, value, verdict=verdict, note=note, mu=mu or 1.0, read=read,
-                metre=metre, rival=rival))
+                metre=metre))
 
     def finish(self, only=""):
         kept = [row for row in self.found if re.search(only, row.what)]
@@ -164,29 +182,30 @@ class Rows:
             table = translate(self.law, read=[text for row in rows for text in row.read])
             place = 0
             for row in rows:
-                self.judge(row, **{name: table[name][place] for name in table})
+                moments = [float(moment) for moment, text in zip(table["moment_per_load"][place:], row.read)
+                           if text.startswith(f"{parameter}=")]
+                self.judge(row, *(table[name][place] for name in ("engine", "parameter", "radius")), *moments)
                 place += len(row.read)
         return kept
 
-    def judge(self, row, engine, parameter, moment_per_load, radius, **_):
-        row.moment_per_load, row.radius = float(moment_per_load), float(radius)
-        if self.how and not math.isnan(row.moment_per_load):
+    def judge(self, row, engine, parameter, radius, own, *acts):
+        row.moment_per_load, row.radius = own, float(radius)
+        if self.how and not math.isnan(own):
             name = str(parameter).replace("pair.friction[2]", "geom.friction[1]")
             row.write = self.wanted(str(engine), row.mu).get(name, math.nan) / row.metre
-        if row.verdict:
+        if row.verdict and not acts:
             return
         right = self.wanted("ode", row.mu)["surface.rhoN"] if self.how else math.nan  # moment over load
-        if row.rival > FACTOR * right:
-            row.verdict = "hidden"
-            row.note += f"; it is {row.rival / right:.2g} times the contact's"
-        elif row.moment_per_load > FACTOR * right:
-            row.verdict = "too large"
-        elif row.moment_per_load * FACTOR < right:
-            row.verdict = "too small"
-        elif row.moment_per_load == 0:
-            row.verdict = "no moment"
-        else:
-            row.verdict = "ok" if self.how else "note"
+        least, most = min(acts or [own]), max(acts or [own])
+        worst = most if most > FACTOR * right else least
+        if most > FACTOR * right:
+            row.verdict = "too large" if own > FACTOR * right and not row.verdict else "hidden"
+        elif least * FACTOR < right:
+            row.verdict = "too small" if own * FACTOR < right and not row.verdict else "hidden"
+        elif not row.verdict:
+            row.verdict = "no moment" if most == 0 else "ok" if self.how else "note"
+        if row.verdict == "hidden":
+            row.note += f"; {worst / right:.2g} times the contact's"
 
 
 def include(element, main, seen):
@@ -223,8 +242,7 @@ class Surface:
                 element.refuse(f"friction has {len(stated)} numbers, expected at most {len(self.friction)}")
             self.friction, self.friction_at = (*stated, *self.friction[len(stated):]), element
             self.at = element if len(stated) > len(self.friction) // 2 else self.at
-        self.__dict__.update({key: int(element.numbers(key, -2.0**31)[0])
-                              for key in FLAGS if element.get(key) is not None})
+        self.__dict__.update({key: element.integer(key) for key in FLAGS if element.get(key) is not None})
         self.condim_at = element if element.get("condim") is not None else self.condim_at
         return self
 
@@ -234,6 +252,7 @@ class Geom:
     element: Element
     surface: Surface
     body: int
+    count: int
 
 
 class Mjcf:
@@ -255,7 +274,14 @@ class Mjcf:
         for top in (t for t in root.children if t.tag == "default"):
             self.default(top, "main")
         for top in (t for t in root.children if t.tag in ("worldbody", "contact")):
-            self.body(top, "main", 0)
+            self.body(top, "main", 0, 1)
+        for flex in root.every("flex"):
+            self.flex(flex, 1)
+        self.paired = {frozenset((pair.get("geom1"), pair.get("geom2"))): pair for pair, _ in self.pairs}
+        for names, pair in self.paired.items():
+            missing = names - {geom.element.get("name") for geom in self.geoms}
+            if missing and not root.every("replicate"):  # it adds a number to the names
+                pair.refuse(f"there is no geom '{min(map(str, missing))}'; {PART}")
 
     def default(self, element, parent):
         name = element.get("class", "main")
@@ -273,25 +299,44 @@ class Mjcf:
         stated = any(element.get(key) is not None for key in ("friction", *FLAGS))
         return Surface(other=classes[name]).state(element) if stated else classes[name]
 
-    def body(self, element, childclass, body):
+    def flex(self, flex, count):
+        """Its <contact> is like a geom without a class on a body of its own."""
+        contact = flex.child("contact") or flex
+        element = Element("geom", {**contact.attributes, "name": flex.get("name")}, contact.file, contact.line)
+        self.names.append(None)
+        self.parents.append(0)
+        self.welds.append(len(self.welds))
+        self.geoms.append(Geom(element, Surface(DEFAULT).state(element), len(self.welds) - 1, count))
+
+    def body(self, element, childclass, body, count):
+        """`count`: how many copies <replicate> makes."""
         for child in element.children:
             within = child.get("childclass", childclass)
             if child.tag == "pair":
                 self.pairs.append((child, self.of(child, childclass)))
             elif child.tag == "geom":
-                self.geoms.append(Geom(child, self.of(child, childclass), body))
+                self.geoms.append(Geom(child, self.of(child, childclass), body, count))
             elif child.tag == "body":
                 self.names.append(child.get("name"))
                 self.parents.append(self.welds[body])
                 self.welds.append(len(self.welds) if moves(child) else self.welds[body])
-                self.body(child, within, len(self.welds) - 1)
-            elif child.tag in ("frame", "replicate"):
-                self.body(child, within, body)
-            elif child.tag in ("attach", "composite", "flexcomp"):
+                self.body(child, within, len(self.welds) - 1, count)
+            elif child.tag == "frame":
+                self.body(child, within, body, count)
+            elif child.tag == "replicate":
+                copies = count * child.integer("count")
+                for part in (copies - 1, 1)[copies < 2:]:  # twice, because a copy meets the others
+                    self.body(child, within, body, part)
+            elif child.tag == "flexcomp":
+                self.flex(child, count)
+            elif child.tag in ("attach", "composite"):
                 child.refuse("not read: save the compiled model (mujoco.mj_saveLastXML) and read that")
 
-    def meet(self, one, other):
-        """Whether geoms of two bodies may touch without a pair."""
+    def meet(self, *geoms):
+        """Whether two geoms, each as its body and name, may touch without a pair."""
+        (one, other), names = zip(*geoms)
+        if frozenset(names) in self.paired:
+            return False
         a, b = self.welds[one], self.welds[other]
         related = self.filters_parents and a and b and (a == self.parents[b] or b == self.parents[a])
         return a != b and not related and frozenset((self.names[one], self.names[other])) not in self.excludes
@@ -309,22 +354,21 @@ def lint_mjcf(root, rows):
         s = geom.surface
         kind = (s.condim, s.priority, s.contype, s.conaffinity)
         groups[(id(s.at or s.condim_at), s.friction, kind)].append(geom)
-        kinds[kind].append((s.friction[1], geom.body, s.at is None))
+        kinds[kind].append((s.friction[1], (geom.body, geom.element.get("name") or ""), s.at is None))
     for numbers in kinds.values():
         numbers[:] = sorted(set(numbers))
     torsion = any(s.condim > 3 for _, s in scene.pairs) or any(k[0] > 3 and (k[2] or k[3]) for k in kinds)
     if torsion and not scene.off and len(scene.names) > 1:
         lint_options(root, scene.options, rows)
-    in_pair = {pair.get(key) for pair, _ in scene.pairs for key in ("geom1", "geom2")}
     for members in groups.values():
         s = members[0].surface
         if s.at or s.condim > 3:
-            lint_geoms(scene, members, kinds, torsion, in_pair, rows)
+            lint_geoms(scene, members, kinds, torsion, rows)
     turning = {geom.element.get("name") for geom in scene.geoms if geom.surface.condim > 3}
     for pair, s in scene.pairs:
         lint_pair(pair, s, not s.at and s.condim < 4 and bool(turning & {pair.get("geom1"), pair.get("geom2")}), rows)
     for row in rows.found if scene.off else ():
-        row.verdict = "note" if row.value == DEFAULT[1] else "dead"  # a note as if it were not written
+        row.verdict, row.read = "dead", row.read[:2]
         row.note = f'<flag {scene.off}="disable"/>: nothing touches'
 
 
@@ -334,7 +378,9 @@ def lint_options(root, options, rows):
     impratio, noslip = (options[key].numbers(key)[0] if key in options else default
                         for key, default in (("impratio", 1.0), ("noslip_iterations", 0.0)))
     cone, note = options["cone"].get("cone") if "cone" in options else "", ""
-    if cone in ("", "pyramidal"):
+    if cone not in ("", "pyramidal", "elliptic"):
+        options["cone"].refuse(f"cone: got '{cone}', expected elliptic or pyramidal")
+    if cone != "elliptic":
         note = f"a pyramidal cone{', the default' * (not cone)}: "
         note += f"{'friction of a mixed slip falls, and ' * (impratio > 1)}a held object turns"
     elif noslip < 1 and impratio < 1000:
@@ -344,43 +390,46 @@ def lint_options(root, options, rows):
         rows.add((stated or [root])[0], "option", "mujoco.impratio", impratio, verdict="creeps", note=note)
 
 
-def lint_geoms(scene, members, kinds, torsion, in_pair, rows):
+def lint_geoms(scene, members, kinds, torsion, rows):
     """Geoms that say the same."""
-    element, s, own = members[0].element, members[0].surface, {geom.body for geom in members}
+    element, s = members[0].element, members[0].surface
+    own = {(geom.body, geom.element.get("name") or "") for geom in members}
     number, meets = s.friction[1], []
     for (condim, priority, contype, conaffinity), numbers in kinds.items():
         if contype & s.conaffinity or s.contype & conaffinity:
             # Of each kind the smallest and the largest number that they meet: if one of the two loses, or wins, all do.
             for ordered in (numbers, reversed(numbers)):
-                meets += next(([(condim, priority, other, default)] for other, body, default in ordered
-                               if any(scene.meet(one, body) for one in own)), [])
+                meets += next(([(condim, priority, other, default)] for other, geom, default in ordered
+                               if any(scene.meet(one, geom) for one in own)), [])
     # The geom of the higher priority says condim and friction; of two alike the larger counts.
     turn = [m for m in meets
             if (max(m[0], s.condim) if m[1] == s.priority else m[0] if m[1] > s.priority else s.condim) > 3]
-    above = [m[1] for m in turn if m[1] > s.priority]
+    above = [m[1:3] for m in turn if m[1] > s.priority]
     larger = [m[2:] for m in turn if m[1] == s.priority and m[2] > number]
     counts = len(turn) > len(above) + len(larger)
-    verdict, note, rival = "", "" if s.at else "the default, not written", 0.0
-    if not (s.contype or s.conaffinity) and not any(m.element.get("name") in in_pair for m in members):
+    verdict, note, acts = "", "" if s.at else "the default, not written", ()
+    if not meets and frozenset().union(*scene.paired).issuperset(name for _, name in own):
+        verdict, note = "note", "the numbers of its pairs count"
+    elif not (s.contype or s.conaffinity):
         verdict, note = "no contact", "contype and conaffinity 0"
     elif not torsion:
         verdict, note = "dead" if rows.how else "unused", "no geom or pair here has condim 4 or 6"
     elif not turn and (meets or s.condim < 4):
         verdict, note = "unused", "no contact of it has condim 4 or 6"
     elif above and not counts and not larger:
-        verdict, note = "hidden", f"beside geoms of priority {max(above)}: their numbers count"
+        verdict, note = "note", f"beside geoms of priority {max(above)[0]}: their numbers count"
+        acts = [[other] for _, other in above]
     elif larger:
         rival, default = max(larger)
-        verdict = "" if counts or not s.at else "hidden"
+        verdict = "" if counts else "hidden" if s.at else "note"
+        acts = [] if verdict == "hidden" else [[number], [rival]] if counts else [[rival]]
         note = f"beside {rival:g}{', a default,' * default} the larger counts"
         note += f'; give priority="{s.priority + 1}" or a pair'
     elif number < DEFAULT[1] and s.priority == 0:
         note = f"beside a geom with the default, {DEFAULT[1]}, the larger counts"
-    if verdict in ("dead", "unused") and number == DEFAULT[1]:
-        verdict = "note"  # as if it were not written
     what = f"geom {element.get('name') or element.get('class') or ''}".strip()
-    rows.add(s.at or s.condim_at, what, "mujoco.torsional", number, s.friction[0], (), verdict, note, len(members),
-             rival=rival)
+    count = sum(geom.count for geom in members)
+    rows.add(s.at or s.condim_at, what, "mujoco.torsional", number, s.friction[0], (), verdict, note, count, acts=acts)
 
 
 def lint_pair(pair, s, geoms_turn, rows):
@@ -394,26 +443,33 @@ def lint_pair(pair, s, geoms_turn, rows):
     elif not (s.at or s.condim > 3 or geoms_turn):
         return
     elif s.condim < 4:
-        dead = s.condim_at is None and (torsional != DEFAULT[1] or geoms_turn)
-        verdict = "dead" if dead else "unused" if torsional != DEFAULT[1] else "note"
-        note = "a pair has condim 3 unless it says so, whatever its geoms have"
+        verdict = "unused" if s.condim_at else "dead"
+        note = f"the pair has condim {s.condim}" + ", the default, whatever its geoms have" * (not s.condim_at)
     at = (s.friction_at if verdict == "geom order" else s.at) or s.condim_at or pair
     rows.add(at, what, "mujoco.pair.torsional", torsional, slide, (), verdict, note)
 
 
+def lint_contact(link, key, rows):
+    """Bullet reads the first <contact> of a link: attributes (`key`: "value") in a URDF, text in SDF."""
+    contact = link.child("contact")
+    found = {c.tag: c for c in reversed(contact.children)} if contact else {}
+    if "spinning_friction" in found:
+        value = {tag: found[tag].numbers(key)[0] for tag in found if re.match("(later|spinn|roll).+_friction", tag)}
+        rolls = value.get("rolling_friction", 0) > 0
+        rows.add(found["spinning_friction"], f"link {link.get('name')}", "bullet.spinning_friction",
+                 value["spinning_friction"], value.get("lateral_friction", 0.5),
+                 note="" if rolls else "two rigid bodies (useMaximalCoordinates) also need rolling_friction > 0")
+
+
 def lint_urdf(root, rows):
+    links = [link.get("name") for link in root.every("link")]
     for link in root.every("link"):
-        contact = link.child("contact")
-        found = {c.tag: c for c in contact.children} if contact else {}
-        if "spinning_friction" in found:
-            value = {tag: found[tag].numbers("value")[0] for tag in found if tag.endswith("_friction")}
-            rolls = value.get("rolling_friction", 0) > 0
-            rows.add(found["spinning_friction"], f"link {link.get('name')}", "bullet.spinning_friction",
-                     value["spinning_friction"], value.get("lateral_friction", 0.5),
-                     note="" if rolls else "two rigid bodies (useMaximalCoordinates) also need rolling_friction > 0")
+        lint_contact(link, "value", rows)
     for gazebo in root.every("gazebo"):
+        if links and gazebo.get("reference", links[0]) not in links:
+            continue
         for mu in (c for c in gazebo.children if c.tag in ("mu1", "mu2")):
-            rows.add(mu, f"gazebo {gazebo.get('reference')}", "gazebo.mu" + "2" * (mu.tag == "mu2"), mu.numbers()[0],
+            rows.add(mu, f"gazebo {gazebo.get('reference')}", "gazebo.mu" + "2" * (mu.tag == "mu2"), mu.number(),
                      verdict="no moment")
         lint_sdf(gazebo, rows)
 
@@ -428,51 +484,67 @@ def engine_of(root):
     return physics[0].get("type", "ode") if physics else "ode"
 
 
+class Collision:
+    """What a collision of SDF says."""
+
+    def __init__(self, element, link, model, length, rows):
+        friction = element.child("surface", "friction")
+        torsional = friction and friction.child("torsional")
+        at = self.at = {c.tag: c for c in reversed(torsional.children)} if torsional else {}
+        name = f"{link.get('name') or link.get('reference', '')} {element.get('name', '')}"
+        self.element, self.model, self.what = element, model, f"collision {name.strip()}".strip()
+        self.patch = "use_patch_radius" not in at or at["use_patch_radius"].text.strip().lower() in ("1", "true")
+        self.tag = "patch_radius" if self.patch else "surface_radius"
+        self.coefficient = at["coefficient"].numbers()[0] if "coefficient" in at else 1.0
+        self.radius = at[self.tag].numbers()[0] if self.tag in at and not length else 0.0
+        sliding = ("bullet", "friction") if length else ("ode", "mu")
+        sliding = friction and friction.child(*sliding) or link.child("mu1")
+        self.mu = rows.mu or (sliding.number() if sliding else 1.0)
+
+
 def lint_sdf(root, rows):
     for part in root.every("include"):
         uri = part.child("uri")
         rows.not_read(part, f"<include> of {uri.text.strip() if uri else '?'} is not read: check that file too")
-    engine = engine_of(root)
-    for link in root.every("link") or [root]:
-        for collision in link.every("collision"):
-            name = f"{link.get('name') or link.get('reference', '')} {collision.get('name', '')}"
-            lint_collision(collision, f"collision {name.strip()}".strip(), link.child("mu1"), engine, rows)
+    rows.engine, found = engine_of(root), []
+    length = "bullet-featherstone" in rows.engine  # which has a surface for each link, that of its first collision
+    for model in [m for top in (root, *root.every("world")) for m in top.children if m.tag == "model"] or [root]:
+        for link in model.every("link") or [model]:
+            if link.tag == "link":
+                lint_contact(link, None, rows)
+            if length or rows.engine == "ode":
+                collisions = [c for c in link.children if c.tag == "collision"][:1 if length else None]
+                found += [Collision(c, link, model, length, rows) for c in collisions]
+    plain = [one for one in found if "coefficient" not in one.at]
+    for one in found:
+        others = [other for other in found if other.model is not one.model]
+        if not length:
+            lint_patch(one, others, rows)
+        elif one not in plain[1:]:
+            note = "a length here, to which the other body's is added" + ", the default, not written" * (one in plain)
+            acts = {(one.coefficient * other.mu + other.coefficient * one.mu, ) for other in others}
+            rows.add(one.at.get("coefficient", one.element), one.what, "gz-sim-bullet.coefficient", one.coefficient,
+                     one.mu, note=note, count=len(plain) if one in plain else 1, acts=acts)
 
 
-def lint_collision(collision, what, mu1, engine, rows):
-    """`mu1`: friction of a link in a URDF."""
-    friction, length = collision.child("surface", "friction"), "bullet-featherstone" in engine
-    torsional = friction and friction.child("torsional")
-    at = {c.tag: c for c in torsional.children} if torsional else {}
-    value = {tag: at[tag].numbers()[0] for tag in ("coefficient", "patch_radius", "surface_radius") if tag in at}
-    sliding = friction and friction.child(*(("bullet", "friction") if length else ("ode", "mu"))) or mu1
-    mu = rows.mu or (sliding.numbers()[0] if sliding else 1.0)
-    patch = "use_patch_radius" not in at or at["use_patch_radius"].text.strip().lower() in ("1", "true")
-    coefficient = value.get("coefficient", 1.0)
-    for tag in value if engine != "ode" else ():
-        if length and tag == "coefficient":
-            rows.add(at[tag], what, "gz-sim-bullet.coefficient", coefficient, mu, note="a length here")
-        else:
-            rows.add(at[tag], what, f"gazebo.{tag}", value[tag], mu, [f"coefficient={coefficient}"],
-                     "dead" if value[tag] else "no moment",
-                     f"{engine} does not read it: only ODE in Gazebo classic does")
-    if engine != "ode":
+def lint_patch(one, others, rows):
+    """Of ODE in Gazebo classic."""
+    written, least = one.tag in one.at, f"coefficient={one.coefficient}"
+    if not written and (not one.patch or "coefficient" not in one.at):
         return
-    if "patch_radius" in value:
-        dead = value["patch_radius"] > 0 and not (patch and coefficient)
-        note = f"with coefficient {coefficient:g}" + ", the default" * ("coefficient" not in value)
-        note += f"; write mu, {mu:g}" * (coefficient != mu)
-        rows.add(at["patch_radius"], what, "gazebo.patch_radius", value["patch_radius"], mu,
-                 [f"coefficient={coefficient}", f"use_patch_radius={int(patch)}"], "dead" * dead,
-                 note if patch else "use_patch_radius is false")
-    elif "coefficient" in value and patch:
-        rows.add(at["coefficient"], what, "gazebo.coefficient", coefficient, verdict="no moment",
-                 note="patch_radius is 0 here: the other surface's counts")
-    if "surface_radius" in value:
-        radius = value["surface_radius"]
-        rows.add(at["surface_radius"], what, "gazebo.surface_radius", radius, mu, [f"coefficient={coefficient}"],
-                 "dead" if patch and radius else "note",
-                 "use_patch_radius is true: not read" if patch else "lever sqrt(value depth): at 0.1 mm")
+    verdict, note, acts = "note", "lever sqrt(value depth): at 0.1 mm", set()
+    if one.patch and written:
+        verdict, note = "", f"with coefficient {one.coefficient:g}" + ", the default" * ("coefficient" not in one.at)
+        note += f"; write mu, {one.mu:g}" * (one.coefficient != one.mu)
+        acts = {(max(one.radius, other.radius), f"coefficient={min(one.coefficient, other.coefficient)}",
+                 f"use_patch_radius={int(other.patch)}") for other in others if one.radius or other.radius}
+        for radius, *more in sorted(acts - {(one.radius, least, "use_patch_radius=1")})[:3]:
+            note += f"; beside another patch_radius={radius:g} {' '.join(more)}"
+    elif not written:
+        verdict, note = "no moment", "patch_radius is 0 here: the other surface's counts"
+    tag = one.tag if written else "coefficient"
+    rows.add(one.at[tag], one.what, f"gazebo.{tag}", one.radius if written else one.coefficient, one.mu,
+             [least] * written, verdict, note, acts=acts)
 
 
 def lint_usda(root, rows):
@@ -504,6 +576,16 @@ def lint_usda(root, rows):
         rows.add(at, at.tag, found[1], at.numbers()[0], mu, (), "note" * grows, "; ".join(notes), metre=metre)
 
 
+def unread(element, what=""):
+    """The numbers of friction with a moment that no reader took, and what they belong to."""
+    for child in element.children:
+        name = f"{what} {child.get('name') or child.get('reference') or ''}".strip()
+        if not child.is_read and (child.tag in ("geom", "pair") and child.get("friction") is not None or child.tag in (
+                "spinning_friction", "torsional_friction") or element.tag == "torsional" and child.tag in TORSIONAL):
+            yield child, f"{child.tag} {name}".strip()
+        yield from unread(child, name)
+
+
 READERS = {"usda": lint_usda, "mujoco": lint_mjcf, "robot": lint_urdf, "sdf": lint_sdf}
 
 
@@ -517,8 +599,15 @@ def lint(path, rows):
         raise ValueError(f"{path}: begins with {begin[:20]!r}, expected MJCF, URDF, SDF or USDA")
     root = Element("usda", {}, path, 1) if begin.startswith("#usda") else read_xml(path)
     if root.tag not in READERS:
-        root.refuse("a part of a scene? Give the file that includes it; expected <mujoco>, <robot>, <sdf> or #usda")
+        root.refuse(PART + "; expected <mujoco>, <robot>, <sdf> or #usda")
     READERS[root.tag](root, rows)
+    for element, what in unread(root):
+        if root.tag == "mujoco":
+            element.refuse(f"MuJoCo does not read it here; {PART}")
+        parameter = f"gazebo.{element.tag}" if element.tag in TORSIONAL else "bullet.spinning_friction"
+        value = element.number()
+        rows.add(element, what, parameter, value, verdict="dead" if value else "no moment",
+                 note=f"{rows.engine} does not read it here")
     if not rows.found:
         rows.not_read(root, "no number of friction with a moment is written here")
 
@@ -535,7 +624,7 @@ def main(arguments=None):
         prog="limitcurve.lint", formatter_class=argparse.RawDescriptionHelpFormatter,
         description=f"{__doc__}\n\nVerdicts, with the exit status; {ERROR} if the file cannot be read:\n{verdicts()}")
     parser.add_argument("file")
-    parser.add_argument("--law", default="hertz", help="pressure law of the contact (default hertz)")
+    parser.add_argument("--law", help="pressure law of the contact (default hertz)")
     parser.add_argument("--radius-law", help="the contact radius, for example constant:a=0.005; with --load")
     parser.add_argument("--load", type=float, help="normal load [N]")
     parser.add_argument("--patch", help="a contact that is not round, instead of law, radius law and load")
@@ -543,10 +632,15 @@ def main(arguments=None):
     parser.add_argument("--only", default="", type=pattern, metavar="REGEX",
                         help="only geoms, links and prims whose column `what` matches")
     given = parser.parse_args(arguments)
-    how = {"law": given.law, "radius_law": given.radius_law, "load": given.load} if given.radius_law else {}
+    law = given.law or "hertz"
+    how = {"law": law, "radius_law": given.radius_law, "load": given.load} if given.radius_law else {}
     how = {"patch": given.patch} if given.patch else how
-    rows = Rows(given.law, given.mu, how)
+    rows = Rows(law, given.mu, how)
     try:
+        if given.patch and not given.law is given.radius_law is given.load is None:
+            raise ValueError("--law, --radius-law and --load have no effect with --patch: leave them out")
+        if given.load is not None and not given.radius_law:
+            raise ValueError("--load has no effect without --radius-law, for example constant:a=0.005")
         if given.mu is not None and not given.mu > 0:
             raise ValueError(f"--mu: got {given.mu:g}, expected > 0")
         lint(given.file, rows)

@@ -25,10 +25,12 @@ FEATHER = """<physics type="ode"/><plugin filename="gz-sim-physics-system" name=
     <filename>gz-physics-bullet-featherstone-plugin</filename></engine></plugin>"""
 
 
-def sdf(torsional, world=""):
-    surface = f"<surface><friction><ode><mu>0.8</mu></ode><torsional>{torsional}</torsional></friction></surface>"
-    return (f'<sdf version="1.9">{world}<model name="m"><link name="l"><collision '
-            f'name="tip">{surface}</collision></link></model></sdf>')
+def sdf(*torsional, world=""):
+    """A model for each surface."""
+    surfaces = [f"<ode><mu>0.8</mu></ode>{f'<torsional>{one}</torsional>' * bool(one)}" for one in torsional]
+    models = [f'<model name="m"><link name="l"><collision name="tip"><surface><friction>{one}</friction></surface>'
+              '</collision></link></model>' for one in surfaces]
+    return f'<sdf version="1.9">{world}{"".join(models)}</sdf>'
 
 
 def urdf(contact):
@@ -48,6 +50,8 @@ def tip(friction, more=""):
 
 
 TIP = 'friction="0.8 0.0019" condim="4"'
+PATCH = "<coefficient>0.8</coefficient><patch_radius>0.005</patch_radius>"
+TORSIONAL = f"<torsional>{PATCH}</torsional>"
 PALM = f'friction="1 0.05" condim="4" {FIRST}'
 # Name, text, the verdicts of its rows without and with a fingertip of 5 mm (μ_r = 0.002356 m under μ = 0.8).
 SCENES = [
@@ -56,7 +60,7 @@ SCENES = [
     ("hidden.xml", mjcf(tip("0.8 0.0024")), ["hidden"], ["hidden"]),
     ("bare_pair.xml",
      mjcf(tip("0.8 0.0024", FIRST), "",
-          '<contact><pair geom1="tip" geom2="floor"/></contact>'), ["note", "dead"], ["ok", "dead"]),
+          '<contact><pair geom1="tip" geom2="floor"/></contact>'), ["note", "dead"], ["note", "dead"]),
     ("small.xml", mjcf(tip("0.8 0.0001", FIRST)), ["note"], ["too small"]),
     ("zero.xml", mjcf(tip("0.8 0", FIRST)), ["no moment"], ["too small"]),
     ("order.xml",
@@ -70,7 +74,7 @@ SCENES = [
     ("excluded.xml",
      mjcf(BALL.format("palm", PALM) + tip("0.8 0.0019", FIRST), "",
           '<contact><exclude body1="palm" body2="tip"/></contact>'), ["note"] * 2, ["too large", "ok"]),
-    ("default_number.xml", mjcf(BALL.format("tip", 'friction="1 0.005 0.0001"')), ["note"], ["note"]),
+    ("default_number.xml", mjcf(BALL.format("tip", 'friction="1 0.005 0.0001"')), ["unused"], ["dead"]),
     ("impratio.xml",
      mjcf(tip("0.8 0.0019", FIRST), '<option impratio="10"/>'), ["creeps", "note"], ["creeps", "ok"]),
     ("bare.xml", mjcf(tip("0.8 1e-300", FIRST), "<option/>"), ["creeps", "note"], ["creeps", "too small"]),
@@ -88,21 +92,43 @@ SCENES = [
     ("visual.xml", mjcf(BALL.format("tip", 'friction="1 0.3" contype="0" conaffinity="0" condim="4"')), ["no contact"],
      ["no contact"]),
     ("bullet.urdf", urdf('<lateral_friction value="0.8"/><spinning_friction value="0.1"/>'), ["note"], ["too large"]),
-    ("gazebo.urdf", '<robot name="r"><gazebo reference="tip"><mu1>0.8</mu1><mu2>0.8</mu2></gazebo></robot>',
+    ("gazebo.urdf", '<robot name="r"><gazebo reference="tip"><mu1 value="0.8"/><mu2>0.8</mu2></gazebo></robot>',
      ["no moment"] * 2, ["no moment"] * 2),
     ("default.sdf", sdf("<patch_radius>0.005</patch_radius>"), ["note"], ["ok"]),
     ("off.sdf",
      sdf("<use_patch_radius>0</use_patch_radius><patch_radius>0.005</patch_radius><surface_radius>0.02</surface_radius>"
-         ), ["dead", "note"], ["dead", "note"]),
-    ("zero.sdf", sdf("<coefficient>0</coefficient><patch_radius>0.005</patch_radius>"), ["dead"], ["dead"]),
+         ), ["note", "dead"], ["note", "dead"]),
+    ("zero.sdf", sdf("<coefficient>0</coefficient><patch_radius>0.005</patch_radius>"), ["no moment"], ["too small"]),
     ("radius.sdf",
      sdf("<coefficient>0.8</coefficient><patch_radius>0.005</patch_radius><surface_radius>0.02</surface_radius>"),
      ["note", "dead"], ["ok", "dead"]),
     ("coefficient.sdf", sdf("<coefficient>0.002356</coefficient><patch_radius>0.005</patch_radius>"), ["note"],
      ["too small"]),
-    ("dart.sdf", sdf("<coefficient>0.8</coefficient><patch_radius>0.005</patch_radius>", '<physics type="dart"/>'),
+    ("dart.sdf", sdf("<coefficient>0.8</coefficient><patch_radius>0.005</patch_radius>", world='<physics type="dart"/>'),
      ["dead", "dead"], ["dead", "dead"]),
-    ("feather.sdf", sdf("<coefficient>0.002356</coefficient>", FEATHER), ["note"], ["ok"]),
+    ("feather.sdf", sdf("<coefficient>0.002356</coefficient>", world=FEATHER), ["note"], ["ok"]),
+    ("plain.sdf", sdf("<coefficient>0.0024</coefficient>", "", world=FEATHER), ["note"] * 2, ["hidden", "too large"]),
+    ("later.sdf", sdf("<coefficient>0.002</coefficient>", world=FEATHER).replace(
+        "</link>", f"<collision><surface><friction>{TORSIONAL}</friction></surface></collision></link>"),
+     ["note", "dead", "dead"], ["ok", "dead", "dead"]),
+    ("larger.sdf", sdf(PATCH, PATCH.replace("0.005", "0.5")), ["note"] * 2, ["hidden", "too large"]),
+    ("smaller.sdf", sdf(PATCH, "<coefficient>0.01</coefficient>"), ["note", "no moment"], ["hidden", "no moment"]),
+    ("both.sdf", sdf(PATCH, f"<use_patch_radius>0</use_patch_radius>{PATCH}"), ["no moment", "dead"], ["hidden", "dead"]),
+    ("neutral.sdf", sdf(PATCH, "<patch_radius>0</patch_radius>", ""), ["note"] * 2, ["ok"] * 2),
+    ("dashes.sdf", "\n<?xml version='1.0'?><!-- a -- b -->" + sdf(PATCH), ["note"], ["ok"]),
+    ("misplaced.sdf", sdf("").replace("</ode>", f"{TORSIONAL}</ode>"), ["dead"] * 2, ["dead"] * 2),
+    ("nowhere.urdf", f'<robot><link name="tip"/><gazebo reference="tap"><collision><surface><friction>{TORSIONAL}'
+     "</friction></surface></collision></gazebo></robot>", ["dead"] * 2, ["dead"] * 2),
+    ("second.urdf", urdf('</contact><contact><spinning_friction value="0.1"/>'), ["dead"], ["dead"]),
+    ("bullet.sdf", "<sdf><link><contact><spinning_friction>0.1</spinning_friction></contact></link></sdf>", ["note"],
+     ["too large"]),
+    ("flex.xml", mjcf(tip("0.8 0.0024"), "", '<deformable><flex name="pad"><contact condim="4" friction="0.8 2.5"/>'
+                      "</flex></deformable>"), ["hidden", "note"], ["hidden", "too large"]),
+    ("right_by_priority.xml", mjcf(tip("0.8 0.0024", f'{FIRST} conaffinity="3"') +
+                                   BALL.format("thing", f'{TIP} contype="2" conaffinity="0"')),
+     ["note"] * 2, ["ok", "note"]),
+    ("right_by_pair.xml", mjcf(tip("0.8 0.1"), "", '<contact><pair geom1="tip" geom2="floor" condim="4" '
+                               'friction="0.8 0.8 0.0024"/></contact>'), ["note"] * 2, ["note", "ok"]),
     ("newton.usda", usda("float newton:torsionalFriction = 0.25"), ["note"], ["too large"]),
     ("physx.usda", usda("float physxCollision:minTorsionalPatchRadius = 0.3",
                         "metersPerUnit = 0.01"), ["note"], ["ok"]),
@@ -151,10 +177,10 @@ def test_meaning_and_what_to_write(run):
         row["line"]: row["count"]
         for row in run({
             "a.xml": '<mujoco>\n<default>\n<geom friction="1 0.1" '
-                     'condim="4"/></default><worldbody>\n<geom/><geom/></worldbody></mujoco>'
+                     'condim="4"/></default><worldbody>\n<geom/><replicate count="3"><geom/></replicate></worldbody></mujoco>'
         })[0]
     }
-    assert lines == {"3": "2"}  # where the class writes it
+    assert lines == {"3": "4"}  # where the class writes it
 
 
 @pytest.mark.parametrize(("name", "text", "told"),
@@ -171,6 +197,12 @@ def test_meaning_and_what_to_write(run):
                           ("a.usda", usda("float newton:torsionalFriction.timeSamples = {"), "expected finite numbers"),
                           ("a.usda", usda("float newton:torsionalFriction = 1").replace("0.8", "-0.8"), "a.usda:8: "),
                           ("a.xml", mjcf(BALL.format("tip", 'friction="-0.8 0.05 0"')), "a.xml:1: <geom>"),
+                          ("a.xml", mjcf(tip("1 1").replace('"4"', '"5"')), "'5', expected 1, 3, 4 or 6"),
+                          ("a.xml", mjcf(tip("1 1").replace('"4"', '"4.0"')), "'4.0', expected 1, 3, 4 or 6"),
+                          ("a.xml", mjcf(tip("1 1"), '<option cone="Elliptic"/>'), "elliptic or pyramidal"),
+                          ("a.xml", mjcf("", "", '<contact><pair geom1="floor" geom2="b"/></contact>'), "no geom 'b'"),
+                          ("a.xml", f"<mujoco>{tip('1 1')}</mujoco>", "part of a scene"),
+                          ("a.xml", f'<!DOCTYPE mujoco [<!ENTITY f "1">]>{mjcf("")}', "a.xml:1: <!ENTITY>"),
                           ("a.xml", mjcf('<composite type="cable"/>'), "mj_saveLastXML")])
 def test_what_cannot_be_read_is_one_line(run, name, text, told):
     found, error, status = run({name: text})
@@ -284,10 +316,12 @@ def test_what_mujocos_contacts_feel(run, seed):
         if number not in felt:
             continue
         acts = felt[number]
+        least, most = (choose([act for act, _ in acts], default=0) for choose in (min, max))
         expected = (("unused" if turning else "dead") if not acts else
+                    "note" if all(beside for _, beside in acts) and right / 2 <= least and most <= 2 * right else
                     "hidden" if all(act != number for act, _ in acts) else
                     "hidden" if max(act for act, beside in acts if not beside) > 2 * right and
-                    max(act for act, beside in acts if not beside) > number else
+                    number <= 2 * right else
                     "too large" if number > 2 * right else "too small" if number < right / 2 else "ok")
         assert row["verdict"] == expected, (row, text, acts)
 
@@ -299,6 +333,8 @@ def test_what_is_not_read_is_said(run):
     found, told, status = run({"a.sdf": sdf("<patch_radius>0.005</patch_radius>")}, "--only", "typ0")
     assert (found, status) == ([], 2) and "collision l tip" in told
     assert "no number" in run({"a.urdf": '<robot name="r"/>'})[1]
+    assert "--law" in run({"a.sdf": sdf(PATCH)}, "--patch", "rectangle:x=0.02,y=0.01", "--law", "hertz")[1]
+    assert "--radius-law" in run({"a.sdf": sdf(PATCH)}, "--load", "3")[1]
 
 
 def test_a_closed_pipe_is_no_error(tmp_path):
