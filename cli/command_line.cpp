@@ -122,6 +122,7 @@ void check_subcommand(const std::string& name, const std::vector<Entry>& entries
   }
   if (name == "fit")
     throw std::invalid_argument("this limitcurve was built without Ceres and has no 'fit': install Ceres and rebuild");
+  if (name == "lint") throw std::invalid_argument("'lint' is in the Python package: python -m limitcurve.lint FILE");
   throw std::invalid_argument("no subcommand" + (name.empty() ? "" : " '" + name + "'") + did_you_mean(name, known) +
                               all);
 }

@@ -116,7 +116,8 @@ std::vector<CoefficientMeaning> read_coefficients(std::span<const EngineNumber> 
     const std::string engine = engine_of(number);
     const Facts& row = find_coefficient(engine, number.parameter);
     if (!(number.value >= 0.0) || std::isinf(number.value)) {
-      throw out_of_range(engine + "." + number.parameter, number.value, row.at("unit"), ">= 0 and finite");
+      throw out_of_range(engine + "." + number.parameter, number.value, row.at("unit"),
+                         ">= 0 and finite; leave out a number that sets no limit");
     }
     if (!latest.contains(engine) || contacts[latest[engine]].contains(&row)) {
       latest[engine] = contacts.size();

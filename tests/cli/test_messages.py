@@ -230,6 +230,11 @@ class Meant(CommandLineTest):
             self.assert_fails(2, [], *call)
             self.assertNotIn("did you mean", run(*call).stderr, call)
 
+    def test_what_to_do_instead(self):
+        self.assertIn("python -m limitcurve.lint", run("lint", "scene.xml").stderr)
+        webots = run("translate", "--law", "hertz", "--mu", "1", "--read", "webots.coulombFriction=-1")
+        self.assertIn("leave out", webots.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
