@@ -87,11 +87,6 @@ class Element:
         """Of an extension to URDF: the attribute `value` counts before the text."""
         return self.numbers(None if self.get("value") is None else "value")[0]
 
-    def integer(self, key):
-        text, condim = self.get(key, "").strip(), key == "condim"
-        if not re.fullmatch("[1346]" if condim else r"[-+]?\d+", text):
-            self.refuse(f"{key}: got '{text}', expected {'1, 3, 4 or 6' if condim else 'an integer'}")
-        return int(text)
 
 
 def read_xml(path):
@@ -195,17 +190,15 @@ class Rows:
             row.write = self.wanted(str(engine), row.mu).get(name, math.nan) / row.metre
         if row.verdict and not acts:
             return
-        right = self.wanted("ode", row.mu)["surface.rhoN"] if self.how else math.nan  # moment over load
-        least, most = min(acts or [own]), max(acts or [own])
-        worst = most if most > FACTOR * right else least
-        if most > FACTOR * right:
-            row.verdict = "too large" if own > FACTOR * right and not row.verdict else "hidden"
-        elif least * FACTOR < right:
-            row.verdict = "too small" if own * FACTOR < right and not row.verdict else "hidden"
+        right = float(self.wanted("ode", row.mu)["surface.rhoN"]) if self.how else math.nan  # moment over load
+        side = lambda moment: (moment > FACTOR * right) - (moment * FACTOR < right)
+        off = next(filter(side, sorted(acts or [own], reverse=True)), None)
+        if off is not None:
+            row.verdict = "hidden" if row.verdict or side(own) != side(off) else ("too large", "too small")[off < right]
         elif not row.verdict:
-            row.verdict = "no moment" if most == 0 else "ok" if self.how else "note"
+            row.verdict = "no moment" if not any(acts or [own]) else "ok" if self.how else "note"
         if row.verdict == "hidden":
-            row.note += f"; {worst / right:.2g} times the contact's"
+            row.note += f"; {off / right:.2g} times the contact's"
 
 
 def include(element, main, seen):
@@ -242,7 +235,10 @@ class Surface:
                 element.refuse(f"friction has {len(stated)} numbers, expected at most {len(self.friction)}")
             self.friction, self.friction_at = (*stated, *self.friction[len(stated):]), element
             self.at = element if len(stated) > len(self.friction) // 2 else self.at
-        self.__dict__.update({key: element.integer(key) for key in FLAGS if element.get(key) is not None})
+        for key in (key for key in FLAGS if element.get(key) is not None):
+            if not re.fullmatch(r"\s*[1346]\s*" if key == "condim" else r"\s*[-+]?\d+\s*", element.get(key)):
+                element.refuse(f"got {key}=\"{element.get(key)}\", expected an integer, of a condim 1, 3, 4 or 6")
+            setattr(self, key, int(element.get(key)))
         self.condim_at = element if element.get("condim") is not None else self.condim_at
         return self
 
@@ -302,11 +298,11 @@ class Mjcf:
     def flex(self, flex, count):
         """Its <contact> is like a geom without a class on a body of its own."""
         contact = flex.child("contact") or flex
-        element = Element("geom", {**contact.attributes, "name": flex.get("name")}, contact.file, contact.line)
+        contact.tag, contact.attributes["name"] = "geom", flex.get("name")
         self.names.append(None)
         self.parents.append(0)
         self.welds.append(len(self.welds))
-        self.geoms.append(Geom(element, Surface(DEFAULT).state(element), len(self.welds) - 1, count))
+        self.geoms.append(Geom(contact, Surface(DEFAULT).state(contact), len(self.welds) - 1, count))
 
     def body(self, element, childclass, body, count):
         """`count`: how many copies <replicate> makes."""
@@ -324,7 +320,7 @@ class Mjcf:
             elif child.tag == "frame":
                 self.body(child, within, body, count)
             elif child.tag == "replicate":
-                copies = count * child.integer("count")
+                copies = count * int(child.numbers("count")[0])
                 for part in (copies - 1, 1)[copies < 2:]:  # twice, because a copy meets the others
                     self.body(child, within, body, part)
             elif child.tag == "flexcomp":
@@ -413,7 +409,7 @@ def lint_geoms(scene, members, kinds, torsion, rows):
     elif not (s.contype or s.conaffinity):
         verdict, note = "no contact", "contype and conaffinity 0"
     elif not torsion:
-        verdict, note = "dead" if rows.how else "unused", "no geom or pair here has condim 4 or 6"
+        verdict, note = "unused", "no geom or pair here has condim 4 or 6"
     elif not turn and (meets or s.condim < 4):
         verdict, note = "unused", "no contact of it has condim 4 or 6"
     elif above and not counts and not larger:
@@ -492,7 +488,7 @@ class Collision:
         torsional = friction and friction.child("torsional")
         at = self.at = {c.tag: c for c in reversed(torsional.children)} if torsional else {}
         name = f"{link.get('name') or link.get('reference', '')} {element.get('name', '')}"
-        self.element, self.model, self.what = element, model, f"collision {name.strip()}".strip()
+        self.model, self.what = model, f"collision {name.strip()}".strip()
         self.patch = "use_patch_radius" not in at or at["use_patch_radius"].text.strip().lower() in ("1", "true")
         self.tag = "patch_radius" if self.patch else "surface_radius"
         self.coefficient = at["coefficient"].numbers()[0] if "coefficient" in at else 1.0
@@ -515,36 +511,33 @@ def lint_sdf(root, rows):
             if length or rows.engine == "ode":
                 collisions = [c for c in link.children if c.tag == "collision"][:1 if length else None]
                 found += [Collision(c, link, model, length, rows) for c in collisions]
-    plain = [one for one in found if "coefficient" not in one.at]
     for one in found:
         others = [other for other in found if other.model is not one.model]
         if not length:
             lint_patch(one, others, rows)
-        elif one not in plain[1:]:
-            note = "a length here, to which the other body's is added" + ", the default, not written" * (one in plain)
+        elif "coefficient" in one.at:
             acts = {(one.coefficient * other.mu + other.coefficient * one.mu, ) for other in others}
-            rows.add(one.at.get("coefficient", one.element), one.what, "gz-sim-bullet.coefficient", one.coefficient,
-                     one.mu, note=note, count=len(plain) if one in plain else 1, acts=acts)
+            rows.add(one.at["coefficient"], one.what, "gz-sim-bullet.coefficient", one.coefficient, one.mu, acts=acts,
+                     note="a length here, to which the other body's is added, 1 m if it is not written")
 
 
 def lint_patch(one, others, rows):
     """Of ODE in Gazebo classic."""
-    written, least = one.tag in one.at, f"coefficient={one.coefficient}"
-    if not written and (not one.patch or "coefficient" not in one.at):
-        return
-    verdict, note, acts = "note", "lever sqrt(value depth): at 0.1 mm", set()
-    if one.patch and written:
+    least, acts = f"coefficient={one.coefficient}", set()
+    if one.tag not in one.at:
+        one.tag, verdict, note = "coefficient", "no moment", "no radius here: the other surface's counts"
+    elif not one.patch:
+        verdict, note = "note", "lever sqrt(value depth): at 0.1 mm"
+    else:
         verdict, note = "", f"with coefficient {one.coefficient:g}" + ", the default" * ("coefficient" not in one.at)
         note += f"; write mu, {one.mu:g}" * (one.coefficient != one.mu)
         acts = {(max(one.radius, other.radius), f"coefficient={min(one.coefficient, other.coefficient)}",
                  f"use_patch_radius={int(other.patch)}") for other in others if one.radius or other.radius}
         for radius, *more in sorted(acts - {(one.radius, least, "use_patch_radius=1")})[:3]:
-            note += f"; beside another patch_radius={radius:g} {' '.join(more)}"
-    elif not written:
-        verdict, note = "no moment", "patch_radius is 0 here: the other surface's counts"
-    tag = one.tag if written else "coefficient"
-    rows.add(one.at[tag], one.what, f"gazebo.{tag}", one.radius if written else one.coefficient, one.mu,
-             [least] * written, verdict, note, acts=acts)
+            note += f"; beside another {radius:g}, {' '.join(more)}"
+    if one.tag in one.at:
+        rows.add(one.at[one.tag], one.what, f"gazebo.{one.tag}", one.at[one.tag].numbers()[0], one.mu,
+                 [least] * (one.tag in TORSIONAL[1:]), verdict, note, acts=acts)
 
 
 def lint_usda(root, rows):
