@@ -131,6 +131,7 @@ class Row:
     mu: float = 1.0
     read: tuple = ()  # the number and those beside it, as `translate` reads them
     metre: float = 1.0  # length of the file's unit
+    acts: tuple = ()
 
 
 COLUMNS = list(Row.__dataclass_fields__)[:11]
@@ -153,18 +154,18 @@ class Rows:
         self.notes.append(f"{at.file}:{at.line}: {text}")
 
     def add(self, at, what, parameter, value, mu=None, others=(), verdict="", note="", count=1, metre=1.0, acts=()):
-        """`at`: the element that states the number. Compares its moment with the contact's if there is no verdict; or
-        those of `acts`, the numbers (each with its `others`) that act in the scene's contacts."""
+        """`at`: the element that states the number. Its moment is compared with the contact's if there is no verdict;
+        instead of it `acts`, the numbers that act in the scene's contacts."""
         mu = self.mu or (1.0 if mu is None else mu)
         if mu < 0:
             at.refuse(f"got friction {mu:g}, expected >= 0")
         engine = re.split("[.:]", parameter)[0]
-        read = tuple(text for number, *more in ((value, *others), *acts)
-                     for text in (f"{parameter}={number * metre!r}",
-                                  *(f"{engine}.{other}" for other in (*more, f"friction={mu!r}"))))
+        # A moment is proportional to its number, but 0 does not tell the factor.
+        read = (f"{parameter}={(value or 1.0) * metre!r}",
+                *(f"{engine}.{other}" for other in (*others, f"friction={mu!r}")))
         self.found.append(
             Row(at.file, at.line, what, count, parameter, value, verdict=verdict, note=note, mu=mu or 1.0, read=read,
-                metre=metre))
+                metre=metre, acts=acts))
 
     def finish(self, only=""):
         kept = [row for row in self.found if re.search(only, row.what)]
@@ -177,28 +178,31 @@ class Rows:
             table = translate(self.law, read=[text for row in rows for text in row.read])
             place = 0
             for row in rows:
-                moments = [float(moment) for moment, text in zip(table["moment_per_load"][place:], row.read)
-                           if text.startswith(f"{parameter}=")]
-                self.judge(row, *(table[name][place] for name in ("engine", "parameter", "radius")), *moments)
+                self.judge(row, **{name: table[name][place] for name in table})
                 place += len(row.read)
         return kept
 
-    def judge(self, row, engine, parameter, radius, own, *acts):
-        row.moment_per_load, row.radius = own, float(radius)
+    def judge(self, row, engine, parameter, moment_per_load, radius, **_):
+        own, row.radius = (float(number) * (row.value != 0) for number in (moment_per_load, radius))
+        acts = [float(moment_per_load) / (row.value or 1.0) * number for number in row.acts]
+        row.moment_per_load = own
         if self.how and not math.isnan(own):
             name = str(parameter).replace("pair.friction[2]", "geom.friction[1]")
             row.write = self.wanted(str(engine), row.mu).get(name, math.nan) / row.metre
         if row.verdict and not acts:
             return
         right = float(self.wanted("ode", row.mu)["surface.rhoN"]) if self.how else math.nan  # moment over load
-        side = lambda moment: (moment > FACTOR * right) - (moment * FACTOR < right)
+
+        def side(moment):
+            return (moment > FACTOR * right) - (moment * FACTOR < right)
+
         off = next(filter(side, sorted(acts or [own], reverse=True)), None)
         if off is not None:
             row.verdict = "hidden" if row.verdict or side(own) != side(off) else ("too large", "too small")[off < right]
         elif not row.verdict:
             row.verdict = "no moment" if not any(acts or [own]) else "ok" if self.how else "note"
         if row.verdict == "hidden":
-            row.note += f"; {off / right:.2g} times the contact's"
+            row.note += f"; what acts is {off / right:.2g} times the contact's"
 
 
 def include(element, main, seen):
@@ -364,7 +368,7 @@ def lint_mjcf(root, rows):
     for pair, s in scene.pairs:
         lint_pair(pair, s, not s.at and s.condim < 4 and bool(turning & {pair.get("geom1"), pair.get("geom2")}), rows)
     for row in rows.found if scene.off else ():
-        row.verdict, row.read = "dead", row.read[:2]
+        row.verdict, row.acts = "dead", ()
         row.note = f'<flag {scene.off}="disable"/>: nothing touches'
 
 
@@ -414,11 +418,11 @@ def lint_geoms(scene, members, kinds, torsion, rows):
         verdict, note = "unused", "no contact of it has condim 4 or 6"
     elif above and not counts and not larger:
         verdict, note = "note", f"beside geoms of priority {max(above)[0]}: their numbers count"
-        acts = [[other] for _, other in above]
+        acts = [other for _, other in above]
     elif larger:
         rival, default = max(larger)
         verdict = "" if counts else "hidden" if s.at else "note"
-        acts = [] if verdict == "hidden" else [[number], [rival]] if counts else [[rival]]
+        acts = [number] * counts + [rival] * (verdict != "hidden")
         note = f"beside {rival:g}{', a default,' * default} the larger counts"
         note += f'; give priority="{s.priority + 1}" or a pair'
     elif number < DEFAULT[1] and s.priority == 0:
@@ -516,14 +520,14 @@ def lint_sdf(root, rows):
         if not length:
             lint_patch(one, others, rows)
         elif "coefficient" in one.at:
-            acts = {(one.coefficient * other.mu + other.coefficient * one.mu, ) for other in others}
+            acts = {one.coefficient * other.mu + other.coefficient * one.mu for other in others}
             rows.add(one.at["coefficient"], one.what, "gz-sim-bullet.coefficient", one.coefficient, one.mu, acts=acts,
                      note="a length here, to which the other body's is added, 1 m if it is not written")
 
 
 def lint_patch(one, others, rows):
     """Of ODE in Gazebo classic."""
-    least, acts = f"coefficient={one.coefficient}", set()
+    acts = ()
     if one.tag not in one.at:
         one.tag, verdict, note = "coefficient", "no moment", "no radius here: the other surface's counts"
     elif not one.patch:
@@ -531,13 +535,12 @@ def lint_patch(one, others, rows):
     else:
         verdict, note = "", f"with coefficient {one.coefficient:g}" + ", the default" * ("coefficient" not in one.at)
         note += f"; write mu, {one.mu:g}" * (one.coefficient != one.mu)
-        acts = {(max(one.radius, other.radius), f"coefficient={min(one.coefficient, other.coefficient)}",
-                 f"use_patch_radius={int(other.patch)}") for other in others if one.radius or other.radius}
-        for radius, *more in sorted(acts - {(one.radius, least, "use_patch_radius=1")})[:3]:
-            note += f"; beside another {radius:g}, {' '.join(more)}"
+        # The larger radius, the smaller coefficient, if both use the radius: as a radius with this coefficient.
+        acts = {max(one.radius, other.radius) * min(1, other.coefficient / (one.coefficient or math.inf)) * other.patch
+                for other in others if one.radius or other.radius}
     if one.tag in one.at:
         rows.add(one.at[one.tag], one.what, f"gazebo.{one.tag}", one.at[one.tag].numbers()[0], one.mu,
-                 [least] * (one.tag in TORSIONAL[1:]), verdict, note, acts=acts)
+                 [f"coefficient={one.coefficient}"] * (one.tag != "coefficient"), verdict, note, acts=acts)
 
 
 def lint_usda(root, rows):
