@@ -241,7 +241,7 @@ class Surface:
             self.at = element if len(stated) > len(self.friction) // 2 else self.at
         for key in (key for key in FLAGS if element.get(key) is not None):
             if not re.fullmatch(r"\s*[1346]\s*" if key == "condim" else r"\s*[-+]?\d+\s*", element.get(key)):
-                element.refuse(f"got {key}=\"{element.get(key)}\", expected an integer, of a condim 1, 3, 4 or 6")
+                element.refuse(f'got {key}="{element.get(key)}", expected an integer, a condim 1, 3, 4 or 6')
             setattr(self, key, int(element.get(key)))
         self.condim_at = element if element.get("condim") is not None else self.condim_at
         return self
@@ -252,7 +252,6 @@ class Geom:
     element: Element
     surface: Surface
     body: int
-    count: int
 
 
 class Mjcf:
@@ -274,9 +273,9 @@ class Mjcf:
         for top in (t for t in root.children if t.tag == "default"):
             self.default(top, "main")
         for top in (t for t in root.children if t.tag in ("worldbody", "contact")):
-            self.body(top, "main", 0, 1)
+            self.body(top, "main", 0)
         for flex in root.every("flex"):
-            self.flex(flex, 1)
+            self.flex(flex)
         self.paired = {frozenset((pair.get("geom1"), pair.get("geom2"))): pair for pair, _ in self.pairs}
         for names, pair in self.paired.items():
             missing = names - {geom.element.get("name") for geom in self.geoms}
@@ -299,36 +298,32 @@ class Mjcf:
         stated = any(element.get(key) is not None for key in ("friction", *FLAGS))
         return Surface(other=classes[name]).state(element) if stated else classes[name]
 
-    def flex(self, flex, count):
+    def flex(self, flex):
         """Its <contact> is like a geom without a class on a body of its own."""
         contact = flex.child("contact") or flex
-        contact.tag, contact.attributes["name"] = "geom", flex.get("name")
+        contact.attributes["name"] = flex.get("name")
         self.names.append(None)
         self.parents.append(0)
         self.welds.append(len(self.welds))
-        self.geoms.append(Geom(contact, Surface(DEFAULT).state(contact), len(self.welds) - 1, count))
+        self.geoms.append(Geom(contact, Surface(DEFAULT).state(contact), len(self.welds) - 1))
 
-    def body(self, element, childclass, body, count):
-        """`count`: how many copies <replicate> makes."""
+    def body(self, element, childclass, body):
         for child in element.children:
             within = child.get("childclass", childclass)
             if child.tag == "pair":
                 self.pairs.append((child, self.of(child, childclass)))
             elif child.tag == "geom":
-                self.geoms.append(Geom(child, self.of(child, childclass), body, count))
+                self.geoms.append(Geom(child, self.of(child, childclass), body))
             elif child.tag == "body":
                 self.names.append(child.get("name"))
                 self.parents.append(self.welds[body])
                 self.welds.append(len(self.welds) if moves(child) else self.welds[body])
-                self.body(child, within, len(self.welds) - 1, count)
-            elif child.tag == "frame":
-                self.body(child, within, body, count)
-            elif child.tag == "replicate":
-                copies = count * int(child.numbers("count")[0])
-                for part in (copies - 1, 1)[copies < 2:]:  # twice, because a copy meets the others
-                    self.body(child, within, body, part)
+                self.body(child, within, len(self.welds) - 1)
+            elif child.tag in ("frame", "replicate"):
+                for _ in range(int(child.numbers("count")[0]) if child.tag == "replicate" else 1):
+                    self.body(child, within, body)
             elif child.tag == "flexcomp":
-                self.flex(child, count)
+                self.flex(child)
             elif child.tag in ("attach", "composite"):
                 child.refuse("not read: save the compiled model (mujoco.mj_saveLastXML) and read that")
 
@@ -428,8 +423,8 @@ def lint_geoms(scene, members, kinds, torsion, rows):
     elif number < DEFAULT[1] and s.priority == 0:
         note = f"beside a geom with the default, {DEFAULT[1]}, the larger counts"
     what = f"geom {element.get('name') or element.get('class') or ''}".strip()
-    count = sum(geom.count for geom in members)
-    rows.add(s.at or s.condim_at, what, "mujoco.torsional", number, s.friction[0], (), verdict, note, count, acts=acts)
+    rows.add(s.at or s.condim_at, what, "mujoco.torsional", number, s.friction[0], (), verdict, note, len(members),
+             acts=acts)
 
 
 def lint_pair(pair, s, geoms_turn, rows):
@@ -535,9 +530,10 @@ def lint_patch(one, others, rows):
     else:
         verdict, note = "", f"with coefficient {one.coefficient:g}" + ", the default" * ("coefficient" not in one.at)
         note += f"; write mu, {one.mu:g}" * (one.coefficient != one.mu)
-        # The larger radius, the smaller coefficient, if both use the radius: as a radius with this coefficient.
+        # As a radius with this coefficient.
         acts = {max(one.radius, other.radius) * min(1, other.coefficient / (one.coefficient or math.inf)) * other.patch
                 for other in others if one.radius or other.radius}
+        note += "; the larger radius and smaller coefficient count, if both use_patch_radius" * bool(acts - {one.radius})
     if one.tag in one.at:
         rows.add(one.at[one.tag], one.what, f"gazebo.{one.tag}", one.at[one.tag].numbers()[0], one.mu,
                  [f"coefficient={one.coefficient}"] * (one.tag != "coefficient"), verdict, note, acts=acts)
@@ -635,8 +631,8 @@ def main(arguments=None):
     try:
         if given.patch and not given.law is given.radius_law is given.load is None:
             raise ValueError("--law, --radius-law and --load have no effect with --patch: leave them out")
-        if given.load is not None and not given.radius_law:
-            raise ValueError("--load has no effect without --radius-law, for example constant:a=0.005")
+        if not given.radius_law and given.load is not None:
+            raise ValueError("--load has no effect without --radius-law")
         if given.mu is not None and not given.mu > 0:
             raise ValueError(f"--mu: got {given.mu:g}, expected > 0")
         lint(given.file, rows)
