@@ -84,7 +84,7 @@ class Element:
         return numbers
 
     def number(self):
-        """Of an extension to URDF: the attribute `value` counts before the text."""
+        """Of an extension to URDF: `value`, or else the text."""
         return self.numbers(None if self.get("value") is None else "value")[0]
 
 
@@ -154,8 +154,8 @@ class Rows:
         self.notes.append(f"{at.file}:{at.line}: {text}")
 
     def add(self, at, what, parameter, value, mu=None, others=(), verdict="", note="", count=1, metre=1.0, acts=()):
-        """`at`: the element that states the number. Its moment is compared with the contact's if there is no verdict;
-        instead of it `acts`, the numbers that act in the scene's contacts."""
+        """`at`: the element that states the number. Without a verdict its moment, or those of `acts`, the numbers that
+        act in the scene, are compared with the contact's."""
         mu = self.mu or (1.0 if mu is None else mu)
         if mu < 0:
             at.refuse(f"got friction {mu:g}, expected >= 0")
@@ -517,7 +517,7 @@ def lint_sdf(root, rows):
         elif "coefficient" in one.at:
             acts = {one.coefficient * other.mu + other.coefficient * one.mu for other in others}
             rows.add(one.at["coefficient"], one.what, "gz-sim-bullet.coefficient", one.coefficient, one.mu, acts=acts,
-                     note="a length here, to which the other body's is added, 1 m if it is not written")
+                     note="a length, to which the other body's is added: 1 m if not written")
 
 
 def lint_patch(one, others, rows):
@@ -533,7 +533,7 @@ def lint_patch(one, others, rows):
         # As a radius with this coefficient.
         acts = {max(one.radius, other.radius) * min(1, other.coefficient / (one.coefficient or math.inf)) * other.patch
                 for other in others if one.radius or other.radius}
-        note += "; the larger radius and smaller coefficient count, if both use_patch_radius" * bool(acts - {one.radius})
+        note += "; beside another surface: larger radius, smaller coefficient" * bool(acts - {one.radius})
     if one.tag in one.at:
         rows.add(one.at[one.tag], one.what, f"gazebo.{one.tag}", one.at[one.tag].numbers()[0], one.mu,
                  [f"coefficient={one.coefficient}"] * (one.tag != "coefficient"), verdict, note, acts=acts)
