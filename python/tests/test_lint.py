@@ -199,7 +199,8 @@ PAIRS = ('<default><pair condim="4"/></default>',
          '<pair geom1="b" geom2="floor" friction="1 2 3 4 5"/></contact>')
 MUJOCO = [
     {
-        "a.xml": mjcf(BALL.format("a", 'friction="0.5"') + BALL.format("b", 'condim="6" priority="2"'))
+        "a.xml": mjcf(BALL.format("a", 'friction="0.5"') +
+                      f"""<replicate count="3">{BALL.format("b", 'condim="6" priority="2"')}</replicate>""")
     },
     {
         "a.xml": mjcf(
