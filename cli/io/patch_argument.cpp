@@ -184,7 +184,7 @@ void read_pixels(PatchArgument& patch, ImageFile of) {
     }
     if (row == 0 && !size && (size = size_in(reader))) {
       if (size->second != 2.0 && reader.next_fields() == static_cast<std::size_t>(size->second) + skip) {
-        patch.notes.push_back("the first row, the image's size, is no row of pixels");
+        patch.notes.emplace_back("the first row, the image's size, is no row of pixels");
         reader.restart();
         continue;
       }
@@ -194,7 +194,7 @@ void read_pixels(PatchArgument& patch, ImageFile of) {
           throw reader.complaint(0, "the size is " + format_number(size->first) + "," + format_number(size->second) +
                                         ", got columns=" + format_number(*of.columns));
         of.columns = size->second;
-        patch.notes.push_back("the first row, " + format_number(size->first) + "," + format_number(size->second) +
+        patch.notes.emplace_back("the first row, " + format_number(size->first) + "," + format_number(size->second) +
                               ", is the size of a frame");
         reader.restart();
         continue;

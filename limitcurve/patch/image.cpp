@@ -255,7 +255,10 @@ std::string remark_on_ring(const std::vector<double>& pressures, std::size_t col
   constexpr double cut_off = 0.2;
   const std::size_t rows = pressures.size() / columns;
   const auto x_of = [&](std::size_t i) { return static_cast<double>(i % columns) * width; };
-  const auto y_of = [&](std::size_t i) { return static_cast<double>(i / columns) * height; };
+  const auto y_of = [&](std::size_t i) {
+    const std::size_t row = i / columns;
+    return static_cast<double>(row) * height;
+  };
   double load = 0.0;
   double mean_x = 0.0;
   double mean_y = 0.0;

@@ -291,7 +291,7 @@ PatchTable::Cube::Cell PatchTable::Cube::cell(const Vector& q) const noexcept {
   const double py = (y + 1.0) * 0.5 * n;
   const int i = std::min(static_cast<int>(px), n - 1);
   const int j = std::min(static_cast<int>(py), n - 1);
-  const Node* low = faces[f].data() + i * (n + 1) + j;
+  const Node* low = faces[f].data() + static_cast<std::ptrdiff_t>(i) * (n + 1) + j;
   return {f, a, b, x, y, low, low + n + 1, px - i, py - j};
 }
 
@@ -357,7 +357,8 @@ double PatchTable::Cube::largest_error(const Shape& shape, double enough) const 
     };
     for (int cell = 0; cell < n * n; ++cell) {
       if (cell % n == 0) let_interrupt();
-      const double x = -1.0 + (cell / n) * step();
+      const int row = cell / n;
+      const double x = -1.0 + row * step();
       const double y = -1.0 + (cell % n) * step();
       Peak highest{{}, -1.0};
       for (int k = 0; k < samples * samples; ++k) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "reference.hpp"
-#include "tests/limitcurve/shared.hpp"
-#include "tests/rows.hpp"
+#include "../rows.hpp"
+#include "limitcurve/accuracy.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace limitcurve::test {
 
