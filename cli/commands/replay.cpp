@@ -176,7 +176,7 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
     results.warn_idle({{"--law", is_round && law_if_needed(nullptr, replay_.curve, !radius_law_) != nullptr},
                        {"--tolerance", !is_round || replay_.curve != CurveKind::table}},
                       is_round ? "replay with this --curve" : "replay with --patch");
-    if (device_ && !reads_ahead()) godobject::require_passive(replay_.finger, sample_time_, *device_, delay_);
+    if (device_ && !reads_ahead()) require_passive(std::array{sample_time_}, *results.messages);
     const BodyArgument body = body_argument();
     const bool in_space = !on_plane_ || body.motion != BodyMotion::fixed || fingers_ > 1;
     replay_.surface = surface_.surface;
@@ -241,6 +241,13 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
   /// Whether the gains must be checked against the steps of the trace, which is read in advance then.
   [[nodiscard]] bool reads_ahead() const { return device_ && sample_time_ == 0.0; }
 
+  void require_passive(std::span<const double> steps, Messages& messages) const {
+    godobject::require_passive(replay_.finger, steps, *device_, delay_);
+    const auto [sliding, twist] = device_damping_needed(replay_.finger, steps, delay_);
+    messages.say("limitcurve: note: --check-gains: passed; the gains need b = " + format_number(sliding, 3) +
+                 " N s/m and b_r = " + format_number(twist, 3) + " N m s/rad");
+  }
+
   /// Checks the steps that the replay makes. The finger's parameters are good.
   void check_gains(const std::vector<Sample>& samples, Messages& messages) const {
     godobject::SampleClock clock;
@@ -264,7 +271,7 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
     if (longest == 0.0)
       throw std::invalid_argument("--check-gains: the trace has no time steps up to 1 s: add T=SECONDS");
     try {
-      godobject::require_passive(replay_.finger, steps, *device_, delay_);
+      require_passive(steps, messages);
     } catch (const std::invalid_argument& error) {
       if (longest < 1.01 * shortest) throw;  // even steps, but for their rounding
       throw std::invalid_argument(std::string(error.what()) + "; the longest step ends at " +

@@ -172,6 +172,7 @@ class Files(CommandLineTest):
         for device in ["b=0.51", "b=0.51,b_r=1.9e-5", "b=0.051,T=1e-4", "b=1.51,b_r=5.5e-5,delay=1"]:
             done = run(*call, "--check-gains", device)
             self.assertEqual((done.stdout, "the twist is not checked" in done.stderr), (plain, "b_r" not in device))
+            self.assertIn("--check-gains: passed; the gains need b = ", done.stderr)
         # In units, with a header further down, through a pipe.
         text = "logged by a jig\ntime,x,y,z,twist\n" + "".join(f"{t},0,0,-1,0\n" for t in [0, 0.1, 10.1, 10.2])
         jitter = ["replay", *FINGER, "--units", "time=ms,length=mm", "--damping", "2", "--trace", "-", "--check-gains"]
