@@ -132,6 +132,7 @@ class Row:
     read: tuple = ()  # the number and those beside it, as `translate` reads them
     metre: float = 1.0  # length of the file's unit
     acts: tuple = ()
+    idle: bool = False  # it would act in contacts that have no torsion
 
 
 COLUMNS = list(Row.__dataclass_fields__)[:11]
@@ -153,7 +154,8 @@ class Rows:
     def not_read(self, at, text):
         self.notes.append(f"{at.file}:{at.line}: {text}")
 
-    def add(self, at, what, parameter, value, mu=None, others=(), verdict="", note="", count=1, metre=1.0, acts=()):
+    def add(self, at, what, parameter, value, mu=None, others=(), verdict="", note="", count=1, metre=1.0, acts=(),
+            idle=False):
         """`at`: the element that states the number. Without a verdict its moment, or those of `acts`, the numbers that
         act in the scene, are compared with the contact's."""
         mu = self.mu or (1.0 if mu is None else mu)
@@ -165,7 +167,7 @@ class Rows:
                 *(f"{engine}.{other}" for other in (*others, f"friction={mu!r}")))
         self.found.append(
             Row(at.file, at.line, what, count, parameter, value, verdict=verdict, note=note, mu=mu or 1.0, read=read,
-                metre=metre, acts=acts))
+                metre=metre, acts=acts, idle=idle))
 
     def finish(self, only=""):
         kept = [row for row in self.found if re.search(only, row.what)]
@@ -201,6 +203,8 @@ class Rows:
             row.verdict = "hidden" if row.verdict or side(own) != side(off) else ("too large", "too small")[off < right]
         elif not row.verdict:
             row.verdict = "no moment" if not any(acts or [own]) else "ok" if self.how else "note"
+        if self.how and row.idle and off is None and not side(own):  # meant for the contact, but condim is forgotten
+            row.verdict, row.note = "unused", f"without condim 4 it never acts ({row.note})"
         if row.verdict == "hidden":
             row.note += f"; what acts is {off / right:.2g} times the contact's"
 
@@ -402,7 +406,7 @@ def lint_geoms(scene, members, kinds, torsion, rows):
     above = [m[1:3] for m in turn if m[1] > s.priority]
     larger = [m[2:] for m in turn if m[1] == s.priority and m[2] > number]
     counts = len(turn) > len(above) + len(larger)
-    verdict, note, acts = "", "" if s.at else "the default, not written", ()
+    verdict, note, acts, idle = "", "" if s.at else "the default, not written", (), False
     if not meets and frozenset().union(*scene.paired).issuperset(name for _, name in own):
         verdict, note = "note", "the numbers of its pairs count"
     elif not (s.contype or s.conaffinity):
@@ -414,6 +418,7 @@ def lint_geoms(scene, members, kinds, torsion, rows):
     elif above and not counts and not larger:
         verdict, note = "note", f"beside geoms of priority {max(above)[0]}: their numbers count"
         acts = [other for _, other in above]
+        idle = bool(s.at) and any(m not in turn and m[1] <= s.priority for m in meets)
     elif larger:
         rival, default = max(larger)
         verdict = "" if counts else "hidden" if s.at else "note"
@@ -424,7 +429,7 @@ def lint_geoms(scene, members, kinds, torsion, rows):
         note = f"beside a geom with the default, {DEFAULT[1]}, the larger counts"
     what = f"geom {element.get('name') or element.get('class') or ''}".strip()
     rows.add(s.at or s.condim_at, what, "mujoco.torsional", number, s.friction[0], (), verdict, note, len(members),
-             acts=acts)
+             acts=acts, idle=idle)
 
 
 def lint_pair(pair, s, geoms_turn, rows):

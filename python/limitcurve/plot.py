@@ -202,43 +202,41 @@ def approximation_errors(law: str | Law | Sequence[str | Law] | None = None, *, 
 
 def replay(
     table: Columns,
-    trace: Data,
     *,
+    stiffness: float,
+    twist_stiffness: float,
     law: str | Law | None = None,
     mu: float | None = None,
     radius_law: str | None = None,
-    stiffness: float | None = None,
-    twist_stiffness: float | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """A replay on the plane z = 0, drawn in the [r, rho] plane of the paper: distance and angle between finger and
-    proxy.
+    """A replay, the result of `limitcurve.replay`, drawn in the [r, rho] plane of the paper: the distance and the angle
+    between finger and proxy, by which springs of these stiffnesses give its force and moment.
 
-    `table` is the result of `limitcurve.replay`, `trace` its input (columns x, y, twist). With law, mu, radius_law,
-    stiffness and twist_stiffness also the limit at the least and the largest load that slips.
+    With law, mu and radius_law, also the limits at the least, the median and the largest load that slips.
     """
     ax = _axes(ax)
-    data = _columns("trace", trace, ("x", "y", "twist"))
-    r = 1e3 * np.hypot(data["x"] - table["px"], data["y"] - table["py"])
-    rho = np.degrees(np.abs(data["twist"] - table["angle"]))
+    r = 1e3 * np.hypot(np.hypot(table["fx"], table["fy"]), table.get("fz", 0)) / stiffness
+    rho = np.degrees(np.abs(table["moment"])) / twist_stiffness
     touching = (table["state"] == "stick") | (table["state"] == "slip")
     ax.plot(np.where(touching, r, np.nan), np.where(touching, rho, np.nan), color="0.6", linewidth=0.8)
     for state, colour in (("stick", "C0"), ("slip", "C1")):
         rows = table["state"] == state
         ax.plot(r[rows], rho[rows], ".", markersize=3, color=colour, label=state)
     slips = table["load"][(table["state"] == "slip") & (table["load"] > 0)]
-    if law is not None and mu is not None and radius_law is not None and stiffness and twist_stiffness and slips.size:
+    if law is not None and mu is not None and radius_law is not None and slips.size:
         curves = run("p-curves",
                      law=law,
                      radius_law=radius_law,
                      mu=mu,
-                     loads=np.unique([slips.min(), slips.max()]),
+                     loads=np.unique(np.quantile(slips, (0, 0.5, 1))),
                      points=129)
         for load in np.unique(curves["load"]):
             rows = curves["load"] == load
             ax.plot(1e3 * curves["force"][rows] / stiffness,
                     np.degrees(curves["moment"][rows] / twist_stiffness),
-                    "--",
+                    "k--",
                     linewidth=1,
+                    alpha=0.3 + 0.7 * float(load / slips.max()),
                     label=f"limit at P = {load:.3g} N")
     return _finished(ax, "deflection $r$ [mm]", r"twist deflection $\rho$ [°]")

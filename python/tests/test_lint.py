@@ -113,6 +113,8 @@ SCENES = [
     ("right_by_priority.xml", mjcf(tip("0.8 0.0024", f'{FIRST} conaffinity="3"') +
                                    BALL.format("thing", f'{TIP} contype="2" conaffinity="0"')),
      ["note"] * 2, ["ok", "note"]),
+    ("forgotten.xml", mjcf(tip("0.8 0.0024", FIRST) + BALL.format("finger2", 'friction="0.8 0.0024" condim="3"') +
+                           BALL.format("thing", 'condim="3"')), ["note"] * 2, ["ok", "unused"]),
     ("newton.usda", usda("float newton:torsionalFriction = 0.25"), ["note"], ["too large"]),
     ("physx.usda", usda("float physxCollision:minTorsionalPatchRadius = 0.3",
                         "metersPerUnit = 0.01"), ["note"], ["ok"]),
