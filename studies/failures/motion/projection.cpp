@@ -75,7 +75,7 @@ struct Failures {
 Failures failures(const Law& law, const FingerCurve& table, double kappa, double least_over, double most_over) {
   const ExactCurve curve(law);
   const double m0 = law->moment_ratio();
-  fit::synthetic::Random random(5);
+  fit::Random random(5);
   const auto logarithmic = [&](double low, double high) {
     return low * std::pow(high / low, random.uniform(0.0, 1.0));
   };

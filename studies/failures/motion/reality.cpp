@@ -57,7 +57,7 @@ Contact at(double x, double y = 0.0, double beneath = depth) {
 
 /// Times of samples, each off by up to `jitter` of a period.
 std::vector<double> sampled(double rate, double duration, double jitter) {
-  fit::synthetic::Random random(9);
+  fit::Random random(9);
   std::vector<double> times{0.0};
   for (int i = 1; i < static_cast<int>(rate * duration); ++i)
     times.push_back((i + jitter * random.uniform(-1.0, 1.0)) / rate);

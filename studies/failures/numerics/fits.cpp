@@ -47,16 +47,14 @@ Hazard cor_near_the_axes() {
 
 Hazard shape_and_radius() {
   Hazard found;
-  using fit::synthetic::Random;
+  using fit::Random;
   constexpr double mu = 0.8;
   constexpr double radius = 0.005;
   constexpr double noise = 0.01;
   constexpr std::size_t samples_a_set = 100;
   constexpr int sets = 120;
   const auto measured = [&](const Law& law, Random& random) {
-    auto samples = fit::synthetic::clean(fit::synthetic::curve_of(law), {mu, radius}, samples_a_set, random);
-    fit::synthetic::disturb(samples, noise, mu, mu * law->moment_ratio() * radius, true, random);
-    return samples;
+    return fit::noisy(law, {mu, radius}, samples_a_set, noise, true, random);
   };
   const auto off_by = [](double value, double truth) { return std::fabs(value / truth - 1.0); };
 
