@@ -27,7 +27,7 @@ std::string to_csv(const Table& table);
 std::string to_json(const Table& table);
 
 /// Reads a table that `to_csv` wrote. `source` is its name in messages. Throws std::invalid_argument:
-/// `source:line:column: …` for a text that is truncated, out of order or not a table; `source: …` for a wrong checksum
+/// `source:line:column: …` for a text that ends within a line or is not a table; `source: …` for a wrong checksum
 /// and for cells that do not make a table.
 Table read_table_csv(std::string_view text, std::string_view source);
 

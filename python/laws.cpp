@@ -133,7 +133,8 @@ void add_laws(nb::module_& module) {
                    : of_cors<2>(given[0], [&](double s) { return components(self.law->evaluate(s, method).wrench); });
       },
       "Unit wrenches F/(mu P) and M/(mu P a) of a slip about centres of rotation at |c| contact radii.\n\n"
-      "The results have the shape of c; float32 gives float32; NaN gives NaN. With `error` also bounds of both "
+      "The results have the shape of c; float32 gives float32, whose rounding the bounds leave out; NaN gives NaN. "
+      "With `error` also bounds of both "
       "absolute\n"
       "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. `method`: "
       "auto, or one of\n"

@@ -16,7 +16,7 @@ namespace limitcurve::godobject {
 ///
 /// A sample that is not plausible (`farthest`), a NaN among them, is a fault of the device. The contact's state is then
 /// `invalid`, and nothing else of the contact changes, so that the last output is held. A proxy that is not finite, or
-/// farther from the finger than two samples can be, is a fault until the contact ends.
+/// whose distance and angle from the finger add up to more than 4e6, is a fault until the contact ends.
 ///
 /// A float takes half the memory of a double, but resolves 6e-8 of a coordinate. For example, that is 60 nm at 1 m from
 /// the origin, while slips are micrometres. Therefore give positions relative to a point near the contact (the object's

@@ -42,8 +42,8 @@ struct BodyState : BodyPose {
 };
 
 /// The orientation after a rotation with the angular velocity ω [rad/s] (world axes) for a time [s]: exp(ω t/2) q, of
-/// unit length. Sine and cosine of the half angle are those of the Cayley map, (1 − τ²)/(1 + τ²) with τ = |ω|t/4: the
-/// axis is exact, the angle of third order.
+/// unit length. Sine and cosine of the half angle are those of the Cayley map, for example (1 − τ²)/(1 + τ²), with
+/// τ = x + x³/3 and x = |ω|t/4. The axis is exact, and the relative error of the angle is of fourth order.
 Orientation turned(const Orientation& orientation, const Eigen::Vector3d& angular_velocity, double time) noexcept;
 
 /// The axis of that rotation times the tangent of a quarter of its angle.

@@ -64,7 +64,13 @@ void require(std::string_view channel, std::string_view units, double stiffness,
   const double needed = device_damping_needed(stiffness, damping, steps, delay);
   if (device > needed) return;
   const Steps all(steps);
-  const double bearable = (device - largest_row(0.0, damping, steps)) / ((delay + 0.5) * all.longest);
+  double bearable = 0.0;
+  if (device > device_damping_needed(0.0, damping, steps, delay)) {
+    for (double high = stiffness; high - bearable > 1e-7 * high;) {
+      const double middle = 0.5 * (bearable + high);
+      (device > device_damping_needed(middle, damping, steps, delay) ? bearable : high) = middle;
+    }
+  }
   const auto number = [](double value) { return format_number(value, 6); };
   std::string text = "not passive: ";
   text.append(channel).append(" stiffness ").append(number(stiffness)).append(" and damping ").append(number(damping));

@@ -108,6 +108,7 @@ CoefficientMeaning meaning_of(const std::string& engine, const Facts& row, doubl
 
 std::vector<CoefficientMeaning> read_coefficients(std::span<const EngineNumber> numbers, double mu, const Law& law) {
   if (mu <= 0.0 || std::isinf(mu)) throw out_of_range("mu", mu, "1", "> 0 and finite");
+  static_cast<void>(checked(law));
   std::vector<const Facts*> rows;
   std::vector<std::size_t> contact_of;  // of each number
   std::vector<ContactNumbers> contacts;

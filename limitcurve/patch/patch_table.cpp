@@ -407,6 +407,23 @@ PatchTable::PatchTable(PatchTableContents contents)
         if (n < 2 || n % 2 != 0 || contents.nodes.size() != 3 * nodes_of_a_face(n))
           throw std::invalid_argument("got " + std::to_string(contents.nodes.size()) + " nodes for " +
                                       std::to_string(n) + " cells along a side, expected 3 (n + 1)^2, n even");
+        for (const auto& [name, number] : numbers_of(contents)) {
+          const bool is_size = number == &contents.radius || number == &contents.moment_ratio ||
+                               number == &contents.factors.x || number == &contents.factors.y;
+          const bool is_place = number == &contents.centre.x || number == &contents.centre.y;
+          if (!std::isfinite(*number) || !(is_place || *number > 0.0 || (*number == 0.0 && !is_size)))
+            throw out_of_range(name, *number, "1",
+                               is_place  ? "finite"
+                               : is_size ? "> 0 and finite"
+                                         : ">= 0 and finite");
+        }
+        for (const Node& node : contents.nodes) {
+          for (const double number : node) {
+            if (!std::isfinite(number) || !(node[0] > 0.0))
+              throw std::invalid_argument("a node with the power " + format_number(node[0]) +
+                                          ", expected finite numbers and a power > 0");
+          }
+        }
         return std::make_shared<const Cube>(std::move(contents));
       }()) {}
 

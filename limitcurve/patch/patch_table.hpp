@@ -58,8 +58,9 @@ class PatchTable : public Patch {
  public:
   /// The smallest table whose error is at most `tolerance`, in [1e-5, 0.1]. Throws std::invalid_argument if none of
   /// `most_bytes` is: where the load is at points, on a line or beside the corners of a slim pad, the wrench changes
-  /// too fast. The message has the error of the finest. Cost: 7 000 to 2 million wrenches of the patch. Calls
-  /// `between_samples` (interruption.hpp). `name` is that of the patch, in files and messages.
+  /// too fast. The message has the error of the finest, or says that the patch has kinks. Cost: 7 000 to 2 million
+  /// wrenches of the patch. Calls `between_samples` (interruption.hpp). `name` is that of the patch, in files and
+  /// messages.
   static PatchTable build(const Patch& patch, double tolerance = default_tolerance, std::string_view name = "patch");
   static constexpr double default_tolerance = 1e-3;
   static constexpr std::size_t most_bytes = std::size_t{2} << 20U;
@@ -88,7 +89,7 @@ std::string to_csv(const PatchTable& table);
 /// The same as one JSON object: {"format": "limitcurve patch table 1", the facts, "columns", "nodes": [[…], …]}.
 std::string to_json(const PatchTable& table);
 /// Reads a table that `to_csv` wrote. `source` is its name in messages. Throws std::invalid_argument:
-/// `source:line:column: …` for a text that is truncated or not a table, `source: …` for a wrong checksum.
+/// `source:line:column: …` for a text that ends within a line or is not a table, `source: …` for a wrong checksum.
 PatchTable read_patch_table_csv(std::string_view text, std::string_view source);
 /// The table with these contents. Throws std::invalid_argument, whose message begins with `source`, if their checksum
 /// is not `expected_checksum` or they are no table.

@@ -25,7 +25,7 @@ struct TangentEllipse {
 /// the curve where it splits the power between sliding and turning as the engine did. If you set it after each
 /// step, wrench and centre of rotation converge to the curve's, whether the scene imposes the slip or the wrench. A
 /// step shrinks the error by |1 − |s||/(1 + |s|) or better, s = d log(m/f)/d log c (proof: docs/theory.md, "The tangent
-/// ellipse"). Infinite input gives NaN. Cost: one search.
+/// ellipse"). An infinite force or moment gives NaN. Cost: one search.
 [[nodiscard]] TangentEllipse tangent_ellipse(const Table& curve, double force, double moment, double p,
                                              double q) noexcept;
 

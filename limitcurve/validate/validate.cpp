@@ -110,6 +110,7 @@ CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double 
     compared[i] = comparison(part_of(i), ray);
     if (i > 0) roughly += compared[i].square * std::fabs(compared[i].angle - compared[i - 1].angle);
   }
+  if (std::isnan(roughly)) return {inf, inf, inf, inf, inf, 0.0, inf};  // a useless model: pade_model
   CurveError error;
   error.max_over_estimate =
       std::max(0.0, refined_maximum(radius, [&](double part) { return ray_at(part).radius_ratio; }) - 1.0);

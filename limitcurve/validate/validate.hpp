@@ -130,7 +130,7 @@ Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 
 /// The Padé model with the slopes that `exact` has at pure spin and pure sliding; `exact` must have force_max 1. If the
 /// force of `exact` rises infinitely steeply from a pure spin (uniform-wear), there is no such model: the result has
-/// force_cor 0 and is useless.
+/// force_cor 0 and is useless, and its errors are infinite.
 template <LimitCurve Exact>
 PadeModel pade_model(const Exact& exact) {
   const double m0 = exact.moment_ratio();

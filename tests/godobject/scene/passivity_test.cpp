@@ -203,6 +203,9 @@ TEST(Passivity, SaysWhatToChange) {
   refused({1.0, 1e-5}, sample_time, "twist");
   refused({-1.0, 1.0}, sample_time, "damping of the device");
   refused({1.0, 1.0}, 0.0, "sample_time");
+  const FingerParameters late = gains(1000.0, 2.0, 0.04, 1e-5);
+  expect_mention(complaint([&] { require_passive(late, 1e-3, {2.56, 1.0}, 1); }), "expected a stiffness below 995.998");
+  EXPECT_NO_THROW(require_passive(gains(995.99, 2.0, 0.04, 1e-5), 1e-3, {2.56, 1.0}, 1));
 }
 
 }  // namespace

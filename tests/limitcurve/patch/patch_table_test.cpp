@@ -200,6 +200,18 @@ TEST(PatchTable, FilesKeepEveryBitAndSayWhereTheyAreWrong) {
   refused(text.substr(0, text.size() / 2), "t.csv:");
   refused("x,y\n1,2\n", "t.csv:1:1: not a table");
   refused("", "t.csv:1:1: not a table");
+  // Contents that no patch has: a look-up would leave the nodes, or find a load of 0.
+  const auto no_table = [&](const char* told, const auto& change) {
+    PatchTableContents contents = table.contents();
+    change(contents);
+    test::expect_mention(test::complaint([&] { (void)PatchTable(contents); }), told);
+  };
+  no_table("moment_ratio = nan", [](PatchTableContents& of) { of.moment_ratio = nan; });
+  no_table("my = 0", [](PatchTableContents& of) { of.factors.y = 0.0; });
+  no_table("centre_x = inf", [](PatchTableContents& of) { of.centre.x = inf; });
+  for (const double power : {-1.0, 0.0, nan})
+    no_table("expected finite numbers and a power > 0", [&](PatchTableContents& of) { of.nodes[7][0] = power; });
+  no_table("expected finite numbers", [](PatchTableContents& of) { of.nodes.back()[2] = inf; });
 }
 
 }  // namespace

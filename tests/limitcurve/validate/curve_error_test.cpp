@@ -76,6 +76,7 @@ TEST(CurveError, OfTheCentreOfRotationHasNoBoundWhereThePressureIsInfinite) {
     EXPECT_EQ(curve_error(ellipse, exact).max_cor_error, inf) << name;
     EXPECT_NEAR(curve_error(exact, exact).max_cor_ratio, 1.0, 1e-12) << name;
     EXPECT_EQ(pade_model(exact).force_cor(), 0.0) << name;
+    EXPECT_EQ(curve_error(pade_model(exact), exact).max_error, inf) << name;
   }
 }
 
