@@ -74,7 +74,7 @@ struct ContactFit {
 /// to the load and equal in the normalised plane, and estimates their size from the scatter; `report.rms` is then
 /// relative to the limit (0.02 is 2 %). You need no starting values. Whatever the loss, a second fit finds gross
 /// outliers, and a γ that differs from the assumed γ by more than chance gives in one of 2000 data sets. The report
-/// warns of them. Cost: about 1 ms for 100 samples, and once per process 20 to 70 ms for each family with a free shape.
+/// warns of them. Cost: 1 to 10 ms for 100 samples, and once per process 20 to 70 ms for each family with a free shape.
 /// Throws std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot
 /// determine (too few samples, all on an axis, no twist at all, or all about one centre). If a robust loss would follow
 /// a long hold, the fit is repeated with the squared loss, and a warning says so.

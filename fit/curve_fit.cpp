@@ -75,9 +75,9 @@ std::string note_of(const Law& law, Criterion criterion) {
 }  // namespace
 
 CurveFit fit_ellipse(const Law& law, Criterion criterion, std::size_t points) {
+  const ExactCurve exact(law);
   const std::vector<CurvePoint> curve = curve_points(*law, points);
   const EllipseResiduals model(curve);
-  const ExactCurve exact(law);
   const double moment_ratio = exact.moment_ratio();
   Ellipse ellipse = Ellipse::through_intercepts(moment_ratio);
   FitReport report;

@@ -91,6 +91,7 @@ std::vector<std::string> suspicious_units(const Patch& patch, std::span<const Pu
 }  // namespace
 
 std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push> pushes, double load) {
+  if (!(load > 0.0) || std::isinf(load)) throw out_of_range("load", load, "N", "> 0 and finite");
   const double m0 = patch.moment_ratio();
   const PatchPoint centre = patch.centre();
   std::vector<PushFriction> found;
@@ -101,10 +102,11 @@ std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push
     const double exact_power = patch.about_origin(twist).power;
     const double spin = m0 * twist.omega;
     const double ellipsoid_power = std::hypot(patch.factors().x * vx, patch.factors().y * vy, spin);
-    if (!(exact_power > 0.0 && ellipsoid_power > 0.0)) {
-      throw std::invalid_argument("push " + std::to_string(found.size() + 1) +
-                                  ": no displacement, expected one that slides");
-    }
+    const auto refuse = [&, number = row > 0 ? row : found.size() + 1](const char* what) {
+      throw std::invalid_argument("push " + std::to_string(number) + ": " + what);
+    };
+    if (!std::isfinite(power) || !std::isfinite(ellipsoid_power)) refuse("expected finite numbers");
+    if (!(exact_power > 0.0 && ellipsoid_power > 0.0)) refuse("no displacement, expected one that slides");
     found.push_back({std::fabs(spin) / std::hypot(vx, vy, spin), power / exact_power, power / ellipsoid_power});
   }
   return found;

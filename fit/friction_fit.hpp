@@ -43,7 +43,8 @@ std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push
 /// all shares are equal, or if drift would exceed 1. Errors of a direction make mu too small, by 1 % for errors of 20
 /// %, because no motion takes less power than the true motion. A push of negative power is left out, with a warning.
 /// Throws std::invalid_argument if most pushes have negative power (the wrenches are then the reactions), if there are
-/// fewer than 3 pushes, or if a push does not move (the message has its number, from 1).
+/// fewer than 3 pushes, if a push does not move or has a number that is not finite (the message names the
+/// push), or for a load that is not > 0.
 FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, double load, const std::string& unit);
 
 }  // namespace limitcurve::fit

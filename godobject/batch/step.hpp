@@ -83,7 +83,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const FrictionLimits<Number> limits = shared.limits.template at<Real>(normal_load, stiffness / twist_stiffness);
   const Number r = sqrt(trial_x * trial_x + trial_y * trial_y);
   const Number rho = abs(twist);
-  // A proxy farther than any two samples can be, or NaN, is memory that the caller never wrote: a fault until the contact
+  // A proxy farther than two samples can be, or NaN, is memory that the caller never wrote: a fault until the contact
   // ends.
   const auto is_known = is_usable && r + rho <= Number(static_cast<Real>(4.0 * farthest));
   const Number rounding = Number(std::numeric_limits<Real>::epsilon() / 2);

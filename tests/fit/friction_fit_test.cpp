@@ -2,6 +2,7 @@
 #include "fit/friction_fit.hpp"
 
 #include "limitcurve/laws.hpp"
+#include "tests/complaint.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
@@ -45,6 +46,16 @@ TEST(FrictionFit, MeanAndDriftAreThoseOfALine) {
   EXPECT_NEAR(estimates[0].std_error, std::sqrt((found.array() - found.mean()).square().sum() / 4.0 / 5.0), 1e-12);
   EXPECT_NEAR(estimates[1].value, line[1] / found.mean(), 1e-10);
   EXPECT_NEAR(estimates[1].std_error, slope_error / found.mean(), 1e-10);
+
+  const auto refused = [&](double under, const char* told) {
+    test::expect_mention(test::complaint([&] { (void)fit_friction(patch, pushes, under, "1"); }), told);
+  };
+  for (const double under : {0.0, -5.0, std::nan(""), HUGE_VAL}) refused(under, "load = ");
+  pushes[3].row = 17;
+  pushes[3].wrench.fx = std::nan("");
+  refused(load, "push 17: expected finite numbers");
+  pushes[3] = {{1.0, 0.0, 0.0}, {}};
+  refused(load, "push 4: no displacement");
 }
 
 }  // namespace
