@@ -14,17 +14,6 @@ namespace {
 using Slips = std::span<const Sample>;
 using Ratios = std::span<const RatioSample>;
 
-/// A sentence with the radius that the ratio implies under each common law.
-std::string radii(const Estimate& ratio) {
-  std::string text = "the ratio implies a contact radius of";
-  const char* separator = " ";
-  for (const Law& law : {flat_punch(), hertz(), uniform(), parabolic()}) {
-    text += separator + format_number(1e3 * implied_radius(ratio, *law).value, 3) + " mm (" + law->name() + ")";
-    separator = ", ";
-  }
-  return text;
-}
-
 template <class Wanted>
 const Wanted& only(Kind kind, const Data& data, const char* expected) {
   if (const auto* const found = std::get_if<Wanted>(&data)) return *found;
@@ -76,11 +65,8 @@ ModelFit fit(Kind kind, const Data& data, const FitOptions& options) {
     case Kind::ratio: {
       if (const auto* const ratios = std::get_if<Ratios>(&data))
         return {"ratio", fit_ratio(*ratios, *law), std::nullopt};
-      ModelFit found =
-          of_contact(fit_contact(only<Slips>(kind, data, "slips or published ratios"), ContactModel::of(law), options));
-      if (options.gamma == 0.0 && !options.fit_gamma)
-        found.report.warnings.push_back(radii(*found.report.find(Estimate::Role::ratio)));
-      return found;
+      return of_contact(
+          fit_contact(only<Slips>(kind, data, "slips or published ratios"), ContactModel::of(law), options));
     }
     case Kind::law: {
       const Slips measured = only<Slips>(kind, data, "slips of load, force and moment");

@@ -108,9 +108,9 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
     const fit::ModelFit found = this->found();
     warn_idle(results, kind_ == fit::Kind::ratio && found.report.find(fit::Estimate::Role::force) == nullptr);
     for (const auto& [model, difference] : found.candidates)
-      say("note", difference > 0.0 ? model + " explains the slips worse than the best law (AIC " +
+      say("note", difference > 0.0 ? model + " explains the data worse than the best (AIC " +
                                          format_number(difference, 3) + " higher)"
-                                   : model + " explains the slips best");
+                                   : model + " explains the data best");
     if (settings_.law == nullptr && kind_ != fit::Kind::load && found.model != name())
       say("note", kind_ == fit::Kind::law
                       ? "the best law is " + found.model
@@ -201,7 +201,7 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
     if (is_file && at != std::string::npos)
       text.replace(text.rfind(" of ", at), at + from_one.size() - text.rfind(" of ", at), " (by line of the file)");
     put("use the loss cauchy", "add --loss cauchy");
-    put("fit gamma as well", "add --fit-gamma");
+    put("fit gamma as well", kind_ == fit::Kind::load ? "add --load-model power" : "add --fit-gamma");
     messages_->say("limitcurve: " + std::string(kind) + ": " + text);
   }
 

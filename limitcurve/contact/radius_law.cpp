@@ -69,7 +69,8 @@ RadiusLaw RadiusLaw::sampled(std::span<const LoadSample> radii) {
     if (i == 0) continue;
     const LoadSample& before = radii[i - 1];
     if (!(radii[i].load > before.load))
-      throw out_of_range("load" + sample, radii[i].load, "N", "greater than the one before");
+      throw out_of_range("load" + sample, radii[i].load, "N",
+                         "greater than the one before (fit load takes repeated loads)");
     const double ratio = std::log(radii[i].load / before.load);
     double exponent = std::log(radii[i].value / before.value) / ratio;
     // Radii in proportion to the load, as decimals give them: 1 but for their rounding.

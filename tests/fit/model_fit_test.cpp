@@ -35,9 +35,8 @@ TEST(ModelFit, RatioOnTheTableOfKinoshitaGivesBackItsRatios) {
     EXPECT_NEAR(ratio.value, 1e-3 * row.ratio, 0.2e-3 * row.ratio_sd) << row.material;
     EXPECT_GT(found.report.at("radius").value, 9e-3);
     EXPECT_LT(found.report.at("radius").value, 13e-3);
-    ASSERT_EQ(found.report.warnings.size(), 2u);
+    ASSERT_EQ(found.report.warnings.size(), 1u);
     test::expect_mention(found.report.warnings[0], "more than the finger's");
-    test::expect_mention(found.report.warnings[1], "(flat-punch)");
   }
 }
 
@@ -107,7 +106,6 @@ TEST(ModelFit, NumbersInMessagesDoNotDependOnTheLocale) {
     told += report.note + report.message;
     for (const std::string& warning : report.warnings) told += warning;
   }
-  test::expect_mention(told, "the ratio implies a contact radius of");
   test::expect_mention(told, "fits better");
   EXPECT_FALSE(std::regex_search(told, std::regex("[0-9],[0-9]"))) << told;
 }
