@@ -190,13 +190,14 @@ void CsvReader::find_columns() {
 }
 
 std::invalid_argument CsvReader::no_named_column(const std::string& column) const {
-  return complaint_at(0,
-                      "no column '" + column + "', which --columns names; the header is '" + excerpt(line_) + "'" +
-                          (line_.find_first_of(";\t") == std::string::npos ? "" : std::string(other_separator(line_))));
+  return complaint_at(0, "no column '" + column + "', which --columns names; the header is '" + excerpt(line_) + "'" +
+                             (field_count_ > 1 && line_.find_first_of(";\t") == std::string::npos
+                                  ? ""
+                                  : std::string(other_separator(line_, field_count_ == 1))));
 }
 
 std::invalid_argument CsvReader::no_column(const std::string& column) const {
-  std::string hint = field_count_ == 1 ? std::string(other_separator(fields_[0].text)) : "";
+  std::string hint = field_count_ == 1 ? std::string(other_separator(fields_[0].text, true)) : "";
   const auto end = fields_.begin() + static_cast<std::ptrdiff_t>(field_count_);
   if (memory_ == nullptr &&
       std::all_of(fields_.begin(), end, [](const Field& one) { return !!parse_number(one.text); }))

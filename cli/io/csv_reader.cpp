@@ -305,10 +305,26 @@ void CsvReader::learn_zero() {
   const auto count = [](std::size_t pauses) { return std::to_string(pauses) + (pauses == 1 ? " pause" : " pauses"); };
   say("zero: " + count(zero_->pauses()) + ", " + name + " " + format_number(*low, 3) + " to " +
       format_number(*high, 3));
+  if (zero_->noise() > 0.3 * least)
+    say("zero: " + name + " scatters by " + format_number(zero_->noise(), 2) +
+            ", so pauses are missed: add --least-load " + format_number(6.0 * zero_->noise(), 2),
+        "warning");
+  const auto range = [](std::span<const double> numbers) {
+    const auto [smallest, largest] = std::minmax_element(numbers.begin(), numbers.end());
+    return *largest - *smallest;
+  };
   const double closed = sources_[load_].turned ? *high : -*low;  // if the sign is wrong
+  std::string odd;
   if (closed > least && std::fabs(*std::max_element(loads.begin(), loads.end())) < 0.25 * closed)
-    return say("zero: " + name + " is near 0 in the grips, but not in the pauses. Is the load's sign right (or load=" +
-                   other_sign() + "), or does the sensor carry a weight?",
+    odd = name + " is near 0 in the grips, but not in the pauses";
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    const double moved = range(zero_->levels(i));
+    if (moved > least && moved > 0.5 * range(values[i]))
+      odd = header_[channels_[i]] + " differs by " + format_number(moved, 3) + " between the pauses";
+  }
+  if (!odd.empty())
+    return say("zero: " + odd + ". Is the load's sign right (or load=" + other_sign() +
+                   "), or does the sensor carry a weight?",
                "warning");
   if (zero_->unsettled() > 0)
     say("zero: the load changes within " + std::to_string(zero_->unsettled()) + " of " + count(zero_->pauses()) +
@@ -386,7 +402,7 @@ bool CsvReader::next_row() {
                                          (has_header_ ? " as in the header" : " as in the first row") +
                                          (field_count_ > header_fields_ && line_.find('.') == std::string::npos
                                               ? "; are there decimal commas instead of points?"
-                                              : std::string(other_separator(fields_[0].text))));
+                                              : std::string(other_separator(fields_[0].text, field_count_ == 1))));
   }
   return true;
 }
@@ -451,7 +467,7 @@ double CsvReader::raw_number(std::size_t column, std::size_t place, const Range&
   const auto value = parse_number(field);
   if (value && (std::isfinite(*value) || range.contains(*value))) return *value;
   throw complaint(column, "got '" + excerpt(field) + "', expected " + std::string(range.text) +
-                              std::string(other_separator(field)));
+                              std::string(other_separator(field, field_count_ == 1)));
 }
 
 std::invalid_argument CsvReader::complaint(std::size_t column, const std::string& what) const {

@@ -30,11 +30,11 @@ std::string_view other_than_text(std::string_view line) {
   return {};
 }
 
-std::string_view other_separator(std::string_view field) {
+std::string_view other_separator(std::string_view field, bool is_line) {
   if (field.find(';') != std::string_view::npos)
     return "; it is separated by semicolons: use commas, and points in numbers";
   if (field.find('\t') != std::string_view::npos) return "; it is separated by tabs: use commas, and points in numbers";
-  if (field.find(' ') != std::string_view::npos) return "; it is separated by spaces: use commas";
+  if (is_line && field.find(' ') != std::string_view::npos) return "; it is separated by spaces: use commas";
   if (field.find(',') != std::string_view::npos) return "; it has a decimal comma: use a point";
   return {};
 }

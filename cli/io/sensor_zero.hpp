@@ -23,6 +23,8 @@ class SensorZero {
   /// Those within which the load changes: by more than the noise of the log, and than 5 % of the least load, in half of
   /// the rows that give the zero.
   [[nodiscard]] std::size_t unsettled() const { return unsettled_; }
+  /// Standard deviation of the load from row to row, from the smaller half of its second differences.
+  [[nodiscard]] double noise() const { return noise_; }
   /// The zero of a channel at a row; of a pause. None of them if there is no pause.
   [[nodiscard]] double at(std::size_t channel, std::size_t row) const;
   [[nodiscard]] std::span<const double> levels(std::size_t channel) const { return levels_[channel]; }
@@ -35,6 +37,7 @@ class SensorZero {
   std::vector<std::vector<double>> levels_;  ///< of each channel and pause
   std::vector<double> sigmas_;
   std::size_t unsettled_ = 0;
+  double noise_ = 0.0;
 };
 
 }  // namespace limitcurve::cli
