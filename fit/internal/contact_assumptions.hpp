@@ -24,6 +24,9 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
 void report_limits(ContactFit& fit, UnitCurve& curve, const ContactLayout& layout, const ContactModel& model,
                    std::span<const double> values, std::span<const double> covariance, double reference_load);
 
+/// Warns of a radius that is too large for the finger.
+void warn_of_radius(FitReport& report, const ContactFitOptions& options);
+
 /// Tests two assumptions, that no row is a gross error and that the radius is proportional to P^gamma, with a fit with
 /// Cauchy's loss and free gamma. Adds outliers and warnings to the fit.
 void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const ContactModel& model,

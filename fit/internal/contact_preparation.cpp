@@ -169,7 +169,7 @@ std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayo
   std::vector<Parameter> parameters{{exact ? "mu" : "force_max", force, force - reach, force + reach},
                                     {exact ? "mu_r" : "moment_max", moment, moment - reach, moment + reach}};
   if (layout.shape) parameters.push_back({curve.shape_name(), curve.start(), curve.low(), curve.high()});
-  if (layout.gamma) parameters.push_back({"gamma", layout.fixed_gamma, -0.5, 1.0});
+  if (layout.gamma) parameters.push_back({"gamma", layout.fixed_gamma, gamma_range[0], gamma_range[1]});
   return parameters;
 }
 
@@ -193,7 +193,7 @@ Loss approach(const ContactResiduals& residuals, std::vector<Parameter>& paramet
 }
 
 ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOptions& options) {
-  if (!(options.gamma >= -0.5 && options.gamma <= 1.0))
+  if (!(options.gamma >= gamma_range[0] && options.gamma <= gamma_range[1]))
     throw out_of_range("gamma", options.gamma, "1", "-0.5 <= gamma <= 1");
   if (!(options.loss.scale > 0.0) || std::isinf(options.loss.scale))
     throw out_of_range("loss scale", options.loss.scale, "1", "> 0 and finite");

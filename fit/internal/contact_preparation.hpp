@@ -4,6 +4,7 @@
 #include "fit/contact_fit.hpp"
 #include "fit/internal/contact_residuals.hpp"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -23,6 +24,8 @@ struct ContactPreparation {
   double noise;  // unit of the weighted samples, in sigmas
   std::vector<WeightedSample> samples;
 };
+
+inline constexpr std::array<double, 2> gamma_range{-0.5, 1.0};
 
 /// Checks the samples, finds starting values and weights. Throws std::invalid_argument as `fit_contact` does.
 ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOptions& options);

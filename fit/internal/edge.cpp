@@ -157,12 +157,12 @@ Edge find_edge(const EdgeModel& model, std::span<const EdgeRow> rows, const std:
   return best;
 }
 
-/// The sandwich of whole grips; parameters at their bounds are held.
+/// The sandwich of whole grips; p and k at their bounds are held.
 Eigen::MatrixXd covariance_by_grip(const EdgeModel& model, std::span<const EdgeRow> rows, const Vector& v) {
-  std::vector<Eigen::Index> free{0, 1};
-  for (Eigen::Index i = 2; i < v.size(); ++i) {
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index i = 0; i < v.size(); ++i) {
     const auto [low, high] = model.bounds(i);
-    if (std::min(v[i] - low, high - v[i]) > 1e-3 * (high - low)) free.push_back(i);
+    if (i < model.limits() || std::min(v[i] - low, high - v[i]) > 1e-3 * (high - low)) free.push_back(i);
   }
   const auto count = static_cast<Eigen::Index>(free.size());
   const auto moved = [&](Eigen::Index i, double step) -> Vector {
@@ -202,42 +202,67 @@ Eigen::MatrixXd covariance_by_grip(const EdgeModel& model, std::span<const EdgeR
   return result;
 }
 
-/// How many grips reach the limit, and which way.
-struct Reached {
-  std::size_t grips = 0;
-  std::size_t slides = 0;
-  std::size_t twists = 0;
-  std::size_t both = 0;
-};
-Reached reached(const EdgeModel& model, std::span<const EdgeRow> rows, const Vector& v) {
-  std::map<std::size_t, std::array<std::size_t, 3>> by_grip;
-  for (const EdgeRow& row : rows) {
-    std::array<std::size_t, 3>& counts = by_grip[row.grip];
-    const EdgePlace at = model.place(row, v);
-    // Noise alone reaches the limit under a small load.
-    if (at.sigma > 0.1 || model.chance(at, v).at_limit < 0.5) continue;
-    ++counts.at(at.angle < std::numbers::pi / 6 ? 0 : at.angle > std::numbers::pi / 3 ? 1 : 2);
-  }
-  Reached all;
-  for (const auto& [grip, counts] : by_grip) {
-    ++all.grips;
-    const auto most = std::ranges::max_element(counts);
-    if (*most < 3) continue;
-    ++(most == counts.begin() ? all.slides : most == counts.begin() + 1 ? all.twists : all.both);
-  }
-  return all;
+/// NaN of less than two numbers.
+double variance_of(const std::vector<double>& numbers) {
+  const Eigen::Map<const Eigen::ArrayXd> all(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+  return (all - all.mean()).square().sum() / (static_cast<double>(numbers.size()) - 1.0);
 }
 
-/// Whether the loads are of more than one size, so that they tell how the moment grows with the load.
-bool loads_differ(std::span<const EdgeRow> rows) {
-  double sum = 0.0;
-  double squares = 0.0;
+/// Which grips reach the limit, and which way.
+struct Reached {
+  std::size_t grips = 0;
+  std::array<std::size_t, 3> ways{};  ///< slides, twists, both
+  /// Of grips below the limit and at it, in order, relative to the reference load; and the largest wrench below.
+  std::array<std::vector<double>, 2> loads;
+  double below = 0.0;
+  /// Means of the slips of each grip.
+  std::vector<double> angles;
+  std::vector<double> log_loads;
+};
+Reached reached(const EdgeModel& model, std::span<const EdgeRow> rows, const Vector& v) {
+  struct Grip {
+    std::array<std::size_t, 3> ways{};
+    int telling = 0;  ///< rows with little noise less the others
+    double size = 0.0;
+    double load = 0.0;
+    double slips = 0.0;
+    double angles = 0.0;
+    double log_loads = 0.0;
+  };
+  std::map<std::size_t, Grip> by_grip;
   for (const EdgeRow& row : rows) {
-    sum += row.log_load;
-    squares += row.log_load * row.log_load;
+    Grip& grip = by_grip[row.grip];
+    const EdgePlace at = model.place(row, v);
+    const bool is_slip = model.chance(at, v).at_limit > 0.5;
+    if (is_slip) {
+      ++grip.slips;
+      grip.angles += at.angle;
+      grip.log_loads += row.log_load;
+    }
+    // Noise alone reaches the limit under a small load.
+    const bool is_noisy = at.sigma > 0.1;
+    grip.telling += is_noisy ? -1 : 1;
+    if (is_noisy) continue;
+    if (at.size > grip.size) grip.load = std::exp(row.log_load);
+    grip.size = std::max(grip.size, at.size);
+    if (is_slip) ++grip.ways.at(at.angle < std::numbers::pi / 6 ? 0 : at.angle > std::numbers::pi / 3 ? 1 : 2);
   }
-  const double mean = sum / static_cast<double>(rows.size());
-  return squares / static_cast<double>(rows.size()) - mean * mean > 0.1 * 0.1;
+  Reached all;
+  all.grips = by_grip.size();
+  for (const auto& [number, grip] : by_grip) {
+    if (grip.slips > 2.0) {
+      all.angles.push_back(grip.angles / grip.slips);
+      all.log_loads.push_back(grip.log_loads / grip.slips);
+    }
+    const auto most = std::ranges::max_element(grip.ways);
+    const bool reaches = *most > 2;
+    if (reaches) ++all.ways.at(static_cast<std::size_t>(most - grip.ways.begin()));
+    if (grip.telling < 0) continue;
+    all.loads.at(reaches ? 1 : 0).push_back(grip.load);
+    if (!reaches) all.below = std::max(all.below, grip.size);
+  }
+  for (std::vector<double>& loads : all.loads) std::ranges::sort(loads);
+  return all;
 }
 
 void require(bool good, const char* expected) {
@@ -277,9 +302,10 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
 
   const Edge edge = find_edge(edge_model, rows, std::nullopt);
   if (edge.outside > most_outside) {
-    throw std::invalid_argument(format_number(std::round(100.0 * edge.outside)) +
+    throw std::invalid_argument(format_number(std::ceil(1e4 * edge.outside) / 100.0) +
                                 " % of the rows lie outside any edge, expected at most 3 %: no slips, a wrong zero or "
-                                "normal, or a coefficient that changed");
+                                "normal, a coefficient that changed" +
+                                (options.fit_gamma ? "" : ", or another gamma (--fit-gamma)"));
   }
   const Eigen::MatrixXd spread = covariance_by_grip(edge_model, rows, edge.v);
   const Vector difference = find_edge(edge_model, halves[0], edge.v).v - find_edge(edge_model, halves[1], edge.v).v;
@@ -292,6 +318,22 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
     values[i] = edge.v[a];
     for (std::size_t j = 0; j < free; ++j) covariance[i * free + j] = spread(a, static_cast<Eigen::Index>(j));
     covariance[i * free + i] += std::pow(0.5 * difference[a], 2) + std::pow(floors.at(i), 2);
+  }
+  const Reached at_limit = reached(edge_model, rows, edge.v);
+  if (variance_of(at_limit.angles) < 0.1 * 0.1) {
+    throw std::invalid_argument(
+        "not identifiable from these samples: mu, mu_r: the slips turn about one centre of rotation and give one point "
+        "of the curve, moment/force = " +
+        format_number(std::tan(at_limit.angles.front()) * std::exp(values[1] - values[0]), 3) +
+        " m: add slips about others");
+  }
+  // What an error of 1 % of the load leaves open of gamma.
+  const double unknown = 0.01 * 0.01 / variance_of(at_limit.log_loads);
+  const auto [low, high] = gamma_range;
+  const Parameter gamma{"gamma", 0.0, low, high};
+  if (options.fit_gamma) {
+    covariance.back() += unknown * unknown;
+    refuse_hidden(gamma, covariance.back());
   }
 
   ContactFit fit{model.name(), {}, {}, {}, {}};
@@ -311,40 +353,53 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
   report.converged = true;
   report.message = "maximum likelihood";
   report_limits(fit, *curve, layout, model, values, covariance, preparation.reference_load);
-  const Reached at_limit = reached(edge_model, rows, edge.v);
-  report.note = note_of(fit.model, options, all.size(), true) + "; " +
-                std::to_string(at_limit.slides + at_limit.twists + at_limit.both) + " of " +
-                std::to_string(at_limit.grips) + " grips reach the limit: " + std::to_string(at_limit.slides) +
-                " slides, " + std::to_string(at_limit.twists) + " twists, " + std::to_string(at_limit.both) + " both";
+  warn_of_radius(report, options);
+  const auto& [slides, twists, both] = at_limit.ways;
+  report.note = note_of(fit.model, options, all.size(), true) + "; " + std::to_string(slides + twists + both) + " of " +
+                std::to_string(at_limit.grips) + " grips reach the limit: " + std::to_string(slides) + " slides, " +
+                std::to_string(twists) + " twists, " + std::to_string(both) + " both";
   if (share < 0.03 || factor > 1.8) {
     report.warnings.push_back(
         "no sharp edge: the finger did not slip, or not in these rows; a limit is what the wrench reached");
   }
   const std::array<double, 2> most_difference{0.05, 0.15};
-  const std::array<std::size_t, 2> slipped{at_limit.slides + at_limit.both, at_limit.twists + at_limit.both};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string& name = report.estimates[i].name;
+    refuse_vague(name, covariance[i * free + i], "few grips slipped that way");
     const double apart = std::fabs(difference[static_cast<Eigen::Index>(i)]);
     if (apart > most_difference.at(i)) {
       report.warnings.push_back(name + ": two halves of the grips differ by " + format_number(100.0 * apart, 2) +
                                 " %: few of them slipped that way");
     }
-    const bool is_missing = (i == 0 ? at_limit.slides : at_limit.twists) == 0 || slipped.at(i) < 2;
-    if (is_missing) {
+    if (at_limit.ways.at(i) == 0 || at_limit.ways.at(i) + both < 2) {
       report.warnings.push_back(name + ": no grip of those that reach the limit is a " + (i == 0 ? "slide" : "twist") +
                                 ", so this limit is extrapolated along the curve, and may be far off: add some");
     }
   }
+  const auto& [below, at_it] = at_limit.loads;
+  const bool many = std::min(below.size(), at_it.size()) >= 5;
+  const bool falls = many && at_it.back() < below.front();
+  const bool grows = many && below.back() < at_it.front();
+  if (falls || grows) {
+    const auto range = [&](const std::vector<double>& loads) {
+      return format_number(loads.front() * preparation.reference_load, 3) + " to " +
+             format_number(loads.back() * preparation.reference_load, 3) + " N";
+    };
+    report.warnings.push_back("mu: the grips of " + range(at_it) + " reach the limit, those of " + range(below) +
+                              " at most " + format_number(100.0 * at_limit.below, 2) +
+                              " % of it. If they slipped, too, mu " + (falls ? "falls" : "grows") +
+                              " with the load: fit the rows of each load alone");
+  }
   if (options.fit_gamma) {
-    const auto [low, high] = edge_model.bounds(2);
-    warn_of_end(report, {"gamma", 0.0, low, high}, values[2]);
-  } else if (loads_differ(rows)) {
+    warn_of_end(report, gamma, values[2]);
+  } else if (!falls && !grows && unknown < 0.5) {
     // Holds may feign a small gamma: it counts if it is many standard errors and halves apart.
     constexpr double feigned = 0.02;
     const EdgeModel with_gamma(gauge, true, options.gamma);
     const Vector other = find_edge(with_gamma, rows, std::nullopt).v;
     const double apart = find_edge(with_gamma, halves[0], other).v[2] - find_edge(with_gamma, halves[1], other).v[2];
-    const double error = std::hypot(std::sqrt(covariance_by_grip(with_gamma, rows, other)(2, 2)), 0.5 * apart, feigned);
+    const double error = std::hypot(std::sqrt(covariance_by_grip(with_gamma, rows, other)(2, 2)), 0.5 * apart,
+                                    std::hypot(feigned, unknown));
     warn_of_growth(report, options.gamma, {"gamma", other[2], error, "1"}, static_cast<double>(grips.size()) - 3.0,
                    std::numeric_limits<double>::infinity());
   }

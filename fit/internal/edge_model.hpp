@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fit/internal/unit_curve.hpp"
+#include "fit/internal/contact_preparation.hpp"
 #include "limitcurve/internal/interruption.hpp"
 
 #include <Eigen/Core>
@@ -121,7 +121,7 @@ class EdgeModel {
   [[nodiscard]] std::array<double, 2> bounds(Eigen::Index i) const {
     if (i == limits()) return {-3.9, 6.0};
     if (i == limits() + 1) return {std::log(0.6), std::log(3.0)};
-    return {-0.3, 0.8};
+    return gamma_range;
   }
 
  private:
