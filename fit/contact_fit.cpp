@@ -21,9 +21,8 @@ using namespace internal;
 
 namespace {
 
-void warn(FitReport& report, const UnitCurve& curve, const ContactFitOptions& options) {
+void warn(FitReport& report, const UnitCurve& curve) {
   if (!report.converged) report.warnings.push_back("the minimiser did not converge: " + report.message);
-  warn_of_radius(report, options);
   const std::string shape = curve.shape_name();
   if (!shape.empty()) {
     for (const Estimate& other : report.estimates) {
@@ -104,17 +103,9 @@ bool is_at_bound(const UnitCurve& curve, double shape) {
 
 }  // namespace
 
-void internal::warn_of_radius(FitReport& report, const ContactFitOptions& options) {
-  const Estimate* const radius = report.find(Estimate::Role::radius);
-  if (radius == nullptr || radius->name != "radius" || !(radius->value > options.largest_radius)) return;
-  report.warnings.push_back("the law implies a contact radius of " + format_number(1e3 * radius->value, 3) +
-                            " mm, more than the finger's " + format_number(1e3 * options.largest_radius, 3) +
-                            " mm: keep mu_r as measured, independent of radius and law");
-}
-
 void internal::report_limits(ContactFit& fit, UnitCurve& curve, const ContactLayout& layout, const ContactModel& model,
-                             std::span<const double> values, std::span<const double> covariance,
-                             double reference_load) {
+                             std::span<const double> values, std::span<const double> covariance, double reference_load,
+                             double largest_radius) {
   const double shape = layout.shape ? values[2] : 0.0;
   curve.bend(shape);
   const double gamma = layout.gamma ? values[layout.gamma_place()] : layout.fixed_gamma;
@@ -140,6 +131,11 @@ void internal::report_limits(ContactFit& fit, UnitCurve& curve, const ContactLay
     const double radius = ratio / curve.moment_ratio();
     add(Role::radius, grows ? "c" : "radius", radius, metre,
         {-radius, radius, -radius * curve.moment_ratio_slope() / curve.moment_ratio(), -radius * log_reference});
+    if (!grows && radius > largest_radius) {
+      fit.report.warnings.push_back("the law implies a contact radius of " + format_number(1e3 * radius, 3) +
+                                    " mm, more than the finger's " + format_number(1e3 * largest_radius, 3) +
+                                    " mm: keep mu_r as measured, independent of radius and law");
+    }
   }
   if (layout.shape)
     add(Role::shape, curve.shape_name(), curve.parameter(shape), "1", {0.0, 0.0, curve.parameter_slope(shape), 0.0});
@@ -187,8 +183,14 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
       robust || slips <= free ? noise : std::min(noise, squares / static_cast<double>(slips - free));
   refuse_one_centre(residuals.common_ray(solution.values), solution, of_slips, preparation.with_sigma, robust);
   const std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
-  for (std::size_t j = 0; j < 2; ++j)
-    refuse_vague(parameters[j].name, covariance[j * free + j], "if the finger held in some rows, use --loss edge");
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double relative_error = std::sqrt(covariance[j * free + j]);
+    if (!(relative_error < 0.5)) {
+      throw std::invalid_argument("not identifiable from these samples: " + parameters[j].name +
+                                  " (its standard error is " + format_number(100.0 * relative_error, 3) +
+                                  " %); if the finger held in some rows, use --loss edge");
+    }
+  }
   if (layout.gamma) refuse_hidden(parameters.back(), covariance.back());
 
   ContactFit fit{model.name(), {}, solution.residuals, {}, {}};
@@ -207,10 +209,11 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
     at_bound = is_at_bound(*curve, solution.values[2]);
     hidden = std::sqrt(covariance[2 * free + 2]) > 0.5 * range;
   }
-  report_limits(fit, *curve, layout, model, solution.values, covariance, preparation.reference_load);
+  report_limits(fit, *curve, layout, model, solution.values, covariance, preparation.reference_load,
+                options.largest_radius);
   const double shape = layout.shape ? solution.values[2] : 0.0;
   const double gamma = layout.gamma ? solution.values[layout.gamma_place()] : options.gamma;
-  warn(fit.report, *curve, options);
+  warn(fit.report, *curve);
   if (layout.gamma) warn_of_end(fit.report, parameters.back(), gamma);
   warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
 

@@ -20,12 +20,11 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
                         const ContactFitOptions& options);
 
 /// Fills in estimates and band from the parameters of `layout` and their covariance: from the logarithms at the
-/// reference load to the quantities, at 1 N if the radius depends on the load.
+/// reference load to the quantities, at 1 N if the radius depends on the load. Warns of
+/// a larger radius.
 void report_limits(ContactFit& fit, UnitCurve& curve, const ContactLayout& layout, const ContactModel& model,
-                   std::span<const double> values, std::span<const double> covariance, double reference_load);
-
-/// Warns of a radius that is too large for the finger.
-void warn_of_radius(FitReport& report, const ContactFitOptions& options);
+                   std::span<const double> values, std::span<const double> covariance, double reference_load,
+                   double largest_radius);
 
 /// Tests two assumptions, that no row is a gross error and that the radius is proportional to P^gamma, with a fit with
 /// Cauchy's loss and free gamma. Adds outliers and warnings to the fit.

@@ -204,6 +204,7 @@ Eigen::MatrixXd covariance_by_grip(const EdgeModel& model, std::span<const EdgeR
 
 /// NaN of less than two numbers.
 double variance_of(const std::vector<double>& numbers) {
+  if (numbers.size() < 2) return std::numeric_limits<double>::quiet_NaN();
   const Eigen::Map<const Eigen::ArrayXd> all(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
   return (all - all.mean()).square().sum() / (static_cast<double>(numbers.size()) - 1.0);
 }
@@ -352,8 +353,7 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
                2.0 * static_cast<double>(edge_model.size());
   report.converged = true;
   report.message = "maximum likelihood";
-  report_limits(fit, *curve, layout, model, values, covariance, preparation.reference_load);
-  warn_of_radius(report, options);
+  report_limits(fit, *curve, layout, model, values, covariance, preparation.reference_load, options.largest_radius);
   const auto& [slides, twists, both] = at_limit.ways;
   report.note = note_of(fit.model, options, all.size(), true) + "; " + std::to_string(slides + twists + both) + " of " +
                 std::to_string(at_limit.grips) + " grips reach the limit: " + std::to_string(slides) + " slides, " +
@@ -365,7 +365,8 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
   const std::array<double, 2> most_difference{0.05, 0.15};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string& name = report.estimates[i].name;
-    refuse_vague(name, covariance[i * free + i], "few grips slipped that way");
+    require(covariance[i * free + i] < 0.5 * 0.5, i == 0 ? "mu has a standard error above 50 %: add slides"
+                                                         : "mu_r has a standard error above 50 %: add twists");
     const double apart = std::fabs(difference[static_cast<Eigen::Index>(i)]);
     if (apart > most_difference.at(i)) {
       report.warnings.push_back(name + ": two halves of the grips differ by " + format_number(100.0 * apart, 2) +

@@ -70,13 +70,6 @@ void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& lo
                                    : "are they of one reading? The standard errors are as much too large"));
 }
 
-void refuse_vague(const std::string& name, double variance, const char* advice) {
-  const double error = std::sqrt(variance);
-  if (error < 0.5) return;
-  throw std::invalid_argument("not identifiable from these samples: " + name + " (its standard error is " +
-                              format_number(100.0 * error, 3) + " %); " + advice);
-}
-
 void refuse_hidden(const Parameter& parameter, double variance) {
   if (std::sqrt(variance) < 0.5 * (parameter.high - parameter.low)) return;
   throw std::invalid_argument("not identifiable from these samples: " + parameter.name + " (its standard error is " +

@@ -39,9 +39,6 @@ void warn_of_rows_inside(FitReport& report, std::span<const double> distances);
 /// Warns if the residuals, in standard deviations as given, scatter more or less than those say by more than chance.
 void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& loss, bool with_sigma);
 
-/// Throws if a limit's logarithm has a standard error of a half or more.
-void refuse_vague(const std::string& name, double variance, const char* advice);
-
 /// Throws if a parameter's standard error is more than half of its range.
 void refuse_hidden(const Parameter& parameter, double variance);
 
