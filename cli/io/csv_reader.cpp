@@ -306,9 +306,9 @@ void CsvReader::learn_zero() {
   say("zero: " + count(zero_->pauses()) + ", " + name + " " + format_number(*low, 3) + " to " +
       format_number(*high, 3));
   if (zero_->noise() > 0.3 * least)
-    say("zero: " + name + " scatters by " + format_number(zero_->noise(), 2) +
-            ", so pauses are missed: add --least-load " + format_number(6.0 * zero_->noise(), 2),
-        "warning");
+    return say("zero: " + name + " scatters by " + format_number(zero_->noise(), 2) +
+                   ", so pauses are missed: add --least-load " + format_number(6.0 * zero_->noise(), 2),
+               "warning");
   const auto range = [](std::span<const double> numbers) {
     const auto [smallest, largest] = std::minmax_element(numbers.begin(), numbers.end());
     return *largest - *smallest;

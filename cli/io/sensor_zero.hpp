@@ -23,7 +23,7 @@ class SensorZero {
   /// Those within which the load changes: by more than the noise of the log, and than 5 % of the least load, in half of
   /// the rows that give the zero.
   [[nodiscard]] std::size_t unsettled() const { return unsettled_; }
-  /// Standard deviation of the load from row to row, from the smaller half of its second differences.
+  /// Standard deviation of the load from row to row.
   [[nodiscard]] double noise() const { return noise_; }
   /// The zero of a channel at a row; of a pause. None of them if there is no pause.
   [[nodiscard]] double at(std::size_t channel, std::size_t row) const;

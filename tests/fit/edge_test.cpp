@@ -107,6 +107,9 @@ TEST(Edge, OneLoadOrCentreDoesNotTellAll) {
     const FitReport report = fit_contact(one_load, law, edge()).report;
     EXPECT_TRUE(report.warnings.empty()) << report.warnings.front();
     EXPECT_TRUE(holds(report.at("mu"), true_mu, 2.5));
+    ContactFitOptions small = edge();
+    small.largest_radius = 0.8 * true_radius;
+    EXPECT_TRUE(warns(fit_contact(one_load, law, small).report, "more than the finger's"));
     test::expect_mention(test::complaint([&] { fit_contact(one_load, law, edge(true)); }), "gamma (its standard error");
     for (const double spin : {0.3, 0.999}) {
       const std::vector<Sample> one_centre = log_of(18, {.loads = {2.0, 4.0}, .spin = spin}, random);
