@@ -213,7 +213,7 @@ double variance_of(const std::vector<double>& numbers) {
 struct Reached {
   std::size_t grips = 0;
   std::array<std::size_t, 3> ways{};  ///< slides, twists, both
-  /// Of grips below the limit and at it, in order, relative to the reference load; and the largest wrench below.
+  /// Of slides below the limit and at it, in order, relative to the reference load; and the largest wrench below.
   std::array<std::vector<double>, 2> loads;
   double below = 0.0;
   /// Means of the slips of each grip.
@@ -226,6 +226,7 @@ Reached reached(const EdgeModel& model, std::span<const EdgeRow> rows, const Vec
     int telling = 0;  ///< rows with little noise less the others
     double size = 0.0;
     double load = 0.0;
+    bool slides = false;
     double slips = 0.0;
     double angles = 0.0;
     double log_loads = 0.0;
@@ -244,7 +245,10 @@ Reached reached(const EdgeModel& model, std::span<const EdgeRow> rows, const Vec
     const bool is_noisy = at.sigma > 0.1;
     grip.telling += is_noisy ? -1 : 1;
     if (is_noisy) continue;
-    if (at.size > grip.size) grip.load = std::exp(row.log_load);
+    if (at.size > grip.size) {
+      grip.load = std::exp(row.log_load);
+      grip.slides = at.angle < std::numbers::pi / 4;
+    }
     grip.size = std::max(grip.size, at.size);
     if (is_slip) ++grip.ways.at(at.angle < std::numbers::pi / 6 ? 0 : at.angle > std::numbers::pi / 3 ? 1 : 2);
   }
@@ -258,7 +262,7 @@ Reached reached(const EdgeModel& model, std::span<const EdgeRow> rows, const Vec
     const auto most = std::ranges::max_element(grip.ways);
     const bool reaches = *most > 2;
     if (reaches) ++all.ways.at(static_cast<std::size_t>(most - grip.ways.begin()));
-    if (grip.telling < 0) continue;
+    if (grip.telling < 0 || !grip.slides) continue;
     all.loads.at(reaches ? 1 : 0).push_back(grip.load);
     if (!reaches) all.below = std::max(all.below, grip.size);
   }
@@ -386,7 +390,7 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
       return format_number(loads.front() * preparation.reference_load, 3) + " to " +
              format_number(loads.back() * preparation.reference_load, 3) + " N";
     };
-    report.warnings.push_back("mu: the grips of " + range(at_it) + " reach the limit, those of " + range(below) +
+    report.warnings.push_back("mu: the slides of " + range(at_it) + " reach the limit, those of " + range(below) +
                               " at most " + format_number(100.0 * at_limit.below, 2) +
                               " % of it. If they slipped, too, mu " + (falls ? "falls" : "grows") +
                               " with the load: fit the rows of each load alone");

@@ -116,9 +116,11 @@ TEST(Edge, OneLoadOrCentreDoesNotTellAll) {
       test::expect_mention(test::complaint([&] { fit_contact(one_centre, law, edge()); }), "one centre");
     }
     const std::vector<Sample> falling = log_of(36, {.loads = {2.0, 4.0}, .fall = 0.3}, random);
-    const FitReport fallen = fit_contact(falling, law, edge()).report;
-    EXPECT_TRUE(warns(fallen, "mu falls with the load"));
-    EXPECT_FALSE(fallen.gamma_refused);
+    for (const bool fit_gamma : {false, true}) {
+      const FitReport fallen = fit_contact(falling, law, edge(fit_gamma)).report;
+      EXPECT_TRUE(warns(fallen, "mu falls with the load"));
+      EXPECT_FALSE(fallen.gamma_refused);
+    }
   }
 }
 
