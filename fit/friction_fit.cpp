@@ -152,8 +152,7 @@ FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, doubl
   add("", of_exact);
   add("_ellipsoid", of_ellipsoid);
   if (!against.empty()) {
-    fit.warnings.insert(fit.warnings.begin(), listed("push", "pushes", names_of(pushes, against)) + " of " +
-                                                  std::to_string(found.size()) +
+    fit.warnings.insert(fit.warnings.begin(), listed("push", "pushes", names_of(pushes, against)) +
                                                   " (the first is 1): negative power, left out; did they slide?");
   }
   return fit;

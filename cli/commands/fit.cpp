@@ -195,11 +195,7 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
       if (place != std::string::npos) text.replace(place, words.size(), own);
     };
     // Of a file the rows are named by their lines, and the library's advice by the options that follow it.
-    constexpr std::string_view from_one = "(the first is 1)";
-    const std::size_t at = text.find(from_one);
-    const bool is_file = !data_.empty() && MemoryColumns::find(data_) == nullptr;
-    if (is_file && at != std::string::npos)
-      text.replace(text.rfind(" of ", at), at + from_one.size() - text.rfind(" of ", at), " (by line of the file)");
+    if (!data_.empty() && MemoryColumns::find(data_) == nullptr) put("(the first is 1)", "(by line of the file)");
     put("use the loss cauchy", "add --loss cauchy");
     put("fit gamma as well", kind_ == fit::Kind::load ? "add --load-model power" : "add --fit-gamma");
     messages_->say("limitcurve: " + std::string(kind) + ": " + text);

@@ -232,8 +232,7 @@ void include_held(ContactFit& fit, std::span<const Sample> samples, double gamma
   }
   fit.residuals = std::move(residuals);
   fit.outliers = std::move(outliers);
-  fit.report.warnings.push_back(listed("row", "rows", names_of(samples, held)) + " of " +
-                                std::to_string(samples.size()) +
+  fit.report.warnings.push_back(listed("row", "rows", names_of(samples, held)) +
                                 " (the first is 1): left out, for the finger held: by a curve through them the other "
                                 "rows would lie outside, where nothing can be");
 }

@@ -39,9 +39,8 @@ std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, do
 void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& rows, const Loss& loss) {
   if (rows.empty()) return;
   report.warnings.push_back(
-      listed("row", "rows", rows) + " of " + std::to_string(report.residuals) + " (the first is 1) " +
-      (rows.size() == 1 ? "lies" : "lie") + " far off the curve. If the finger did not slip there, remove " +
-      (rows.size() == 1 ? "it" : "them") +
+      listed("row", "rows", rows) + " (the first is 1) " + (rows.size() == 1 ? "lies" : "lie") +
+      " far off the curve. If the finger did not slip there, remove " + (rows.size() == 1 ? "it" : "them") +
       (loss.kind == Loss::Kind::squared ? ", or use the loss cauchy, which gives them little weight" : ""));
 }
 
