@@ -31,7 +31,7 @@ struct FrictionFit {
   std::string note;                   ///< after few pushes, how wide a 95 % interval is; otherwise empty
 };
 
-/// The results of all pushes. Throws like `fit_friction`, but accepts any number of pushes.
+/// The results of all pushes. Throws like `fit_friction`, but there may be any number of pushes.
 std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push> pushes, double load);
 
 /// μ from power: W·T/(P H(T)) of every push, which must not depend on the rotation share. The estimates are

@@ -195,7 +195,7 @@ void read_pixels(PatchArgument& patch, ImageFile of) {
                                         ", got columns=" + format_number(*of.columns));
         of.columns = size->second;
         patch.notes.emplace_back("the first row, " + format_number(size->first) + "," + format_number(size->second) +
-                              ", is the size of a frame");
+                                 ", is the size of a frame");
         reader.restart();
         continue;
       }

@@ -29,10 +29,10 @@ struct CurveError {
 };
 
 /// The first-order Padé model of multibody mechanics (Zhuravlev, J. Appl. Math. Mech. 62:705, 1998) gives the wrench of
-/// a slip twist: f = s/(s + σ_f), m = m₀σ_m/(s + σ_m). `pade_model` makes it from a curve: exact at both
-/// ends, and in the slope of the force at a pure spin and of the moment at a pure slide. In between it is up to 42 %
-/// too weak for Hertz (34 % of μP in f, 39 % of m₀ in m). Not a LimitCurve: its twist is not the normal, so it does not
-/// obey maximum dissipation.
+/// a slip twist: f = s/(s + σ_f), m = m₀σ_m/(s + σ_m). `pade_model` makes this model from a curve, exact at the two
+/// ends and in the slope of the force at a pure spin and of the moment at a pure slide. In between, it is up to 42 %
+/// too weak for Hertz (34 % of μP in f, 39 % of m₀ in m). It is not a LimitCurve, because the slip twist is not the
+/// normal, so that it need not obey maximum dissipation.
 class PadeModel {
  public:
   /// σ_f, σ_m: the COR distances c/a at which force and moment are half their largest. Positive; not checked.
@@ -129,8 +129,8 @@ Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 }  // namespace detail
 
 /// The Padé model with the slopes that `exact` has at pure spin and pure sliding; `exact` must have force_max 1. If the
-/// force of `exact` rises infinitely steeply from a pure spin (uniform-wear), there is no such model: the result has
-/// force_cor 0 and is useless, and its errors are infinite.
+/// force of `exact` rises infinitely steeply from a pure spin (uniform-wear), the result is useless: it has
+/// force_cor 0, and infinite errors.
 template <LimitCurve Exact>
 PadeModel pade_model(const Exact& exact) {
   const double m0 = exact.moment_ratio();
