@@ -29,7 +29,7 @@ MODEL = f"""<mujoco><option timestep="{DT}" gravity="0 0 0"/><worldbody><body>
 
 
 @wp.kernel
-def brake(cells: lw.Cells, dt: float, velocity: wp.array2d(dtype=float),
+def brake(cells: lw.Cells, dt: float, velocity: wp.array2d(dtype=float),  # type: ignore
           applied: wp.array2d(dtype=wp.spatial_vector)):  # type: ignore
     world = wp.tid()
     push = wp.vec3(velocity[world, 0] * MASS / dt, velocity[world, 1] * MASS / dt, 0.0)
