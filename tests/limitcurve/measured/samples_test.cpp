@@ -174,7 +174,7 @@ TEST(Samples, ASampleChangesAWrenchByNoMoreThanItsShareOfTheLoadIfTheSizeIsNamed
   std::vector<PressureSample> offset = sensor_line();
   for (PressureSample& sample : offset) sample.pressure += 0.04 * offset[0].pressure;
   for (const Law& law : {samples(offset, "offset.csv"), with_own_radii(samples(offset, "offset.csv"))})
-    expect_mention(law->remarks().front(), "a flat pressure in the outer tenth");
+    test::expect_mention(law->remarks().front(), "a flat pressure in the outer tenth");
   const Law clean = samples(sensor_line(), "clean.csv", 6.0);
   const double mean = 6.0 * clean->moment_ratio();
   EXPECT_EQ(samples(sensor_line(), "clean.csv")->rim(), 6.0);

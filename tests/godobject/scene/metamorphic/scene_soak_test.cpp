@@ -126,7 +126,12 @@ TEST(SceneSoak, EveryStepHolds) {
         const FingerOutput output = finger.output();
         ++states[static_cast<std::size_t>(output.state)];
         ASSERT_NE(output.state, ContactState::invalid);
-        ASSERT_LE(std::fabs(output.force.dot(output.normal)), 1e-12 * (1e-3 + output.force.norm())) << "not tangent";
+        // But for the rounding of the positions that spring and damper are between.
+        const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
+                                (finger.parameters().stiffness + finger.parameters().damping / time_step);
+        ASSERT_LE(std::fabs(output.force.dot(output.normal)),
+                  1e-12 * output.force.norm() + rounding * output.proxy.norm())
+            << "not tangent";
         // In a step of a body in parts a finger may come off and touch down anew.
         const bool whole = hand.divided() == last.divided() && hand.unsolved() == last.unsolved();
         const std::string_view fault = limitcurve::test::check_step(finger, whole ? before : FingerState{}).fault;
@@ -185,17 +190,18 @@ TEST(SceneSoak, ABodyBetweenFingersAtRestGainsNoEnergy) {
     double spun = knocked.angular_velocity.norm();
     for (int i = 0; i < steps; ++i) {
       const std::array before{held.finger(0).state().sample.goal, held.finger(1).state().sample.goal};
+      const auto is_off = [&](std::size_t k) { return held.finger(k).output().state == ContactState::free; };
+      bool let_go = is_off(0) || is_off(1);
       held.step(pinch, time_step);
       const double turned = std::max(held.body().angular_velocity.norm(), spun) * time_step;
       spun = held.body().angular_velocity.norm();
       double levers = 0.0;
       double moments = 0.0;
       double slides = 0.0;
-      bool let_go = false;
       for (std::size_t k = 0; k < 2; ++k) {
         const FingerOutput output = held.finger(k).output();
         ASSERT_GE(output.slip_work, 0.0);
-        let_go = let_go || output.state == ContactState::free;
+        let_go = let_go || is_off(k);
         const double force = held.force_on_user(k).norm();
         levers += force * output.proxy.norm();
         slides += force * (held.finger(k).state().sample.goal - before[k]).norm();
