@@ -12,9 +12,9 @@ namespace limitcurve {
 
 namespace {
 
-constexpr std::string_view title = "# limitcurve patch table, format 1";
+constexpr std::string_view patch_title = "# limitcurve patch table, format 1";
 constexpr std::string_view columns = "face,i,j,power,di,dj,didj";
-constexpr std::string_view legend =
+constexpr std::string_view patch_legend =
     "# Power H(vx, vy, omega) of a twist about the centre of pressure, per mu P, before mx and my. On face 0 vx = 1, "
     "on\n"
     "# face 1 vy = 1, on face 2 moment_ratio*omega = 1; nodes are at -1 + 2 i/cells and -1 + 2 j/cells of the next two "
@@ -51,7 +51,7 @@ std::string checksum(const PatchTableContents& contents) {
 
 std::string to_csv(const PatchTable& table) {
   const PatchTableContents contents = table.contents();
-  std::string text(title);
+  std::string text(patch_title);
   const auto add = [&](std::string_view name, std::string_view value) {
     text.append("\n# ").append(name).append(": ").append(value);
   };
@@ -60,7 +60,7 @@ std::string to_csv(const PatchTable& table) {
   add("cells", std::to_string(contents.cells));
   add("version", version);
   add("checksum", checksum(contents));
-  return text.append("\n").append(legend).append(columns).append("\n") + rows_of(contents, "", "\n");
+  return text.append("\n").append(patch_legend).append(columns).append("\n") + rows_of(contents, "", "\n");
 }
 
 std::string to_json(const PatchTable& table) {
@@ -95,7 +95,7 @@ PatchTable patch_table_of(PatchTableContents contents, std::string_view expected
 
 PatchTable read_patch_table_csv(std::string_view text, std::string_view source) {
   table::Reader reader(text, source);
-  reader.title(title);
+  reader.title(patch_title);
   PatchTableContents contents;
   contents.name = reader.fact("patch").first;
   for (const auto& [name, number] : numbers_of(contents)) {

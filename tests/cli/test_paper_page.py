@@ -36,7 +36,9 @@ class Page(unittest.TestCase):
     def table(self):
         return [[cell.strip()
                  for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
-                for line in self.TEXT.splitlines()
+                for table in self.TEXT.split("\n\n")
+                if table.startswith("| in the paper")
+                for line in table.splitlines()
                 if line.startswith("| ")]
 
     def test_no_row_is_empty(self):
