@@ -30,7 +30,7 @@ void CsvReader::take(const FileColumns& file_columns) {
   for (const auto& [name, in_file] : file_columns.names) {
     const auto place = std::find(own.begin(), own.end(), name);
     if (place == own.end())
-      throw std::invalid_argument("--columns: got '" + name + "', expected one of " + joined(own, own.size()));
+      throw std::invalid_argument("--columns: got '" + name + "', expected one of " + joined_names(own, own.size()));
     columns_[static_cast<std::size_t>(place - own.begin())] = in_file;
     renamed_.push_back(static_cast<std::size_t>(place - own.begin()));
   }

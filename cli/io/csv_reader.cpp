@@ -56,7 +56,7 @@ CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns,
   for (std::string& column : optional_columns) columns_.push_back(std::move(column));
   try {
     take(file_columns);
-    if (expected_.empty()) expected_ = joined(columns_, required_ > 0 ? required_ : columns_.size());
+    if (expected_.empty()) expected_ = joined_names(columns_, required_ > 0 ? required_ : columns_.size());
     if (memory_ != nullptr) {
       take_names_in_memory();
     } else if (!next_meaningful_line()) {
@@ -86,7 +86,7 @@ CsvReader::~CsvReader() {
 void CsvReader::take_names_in_memory() {
   for (const std::string& name : memory_->columns_) fields_.push_back({name});
   field_count_ = fields_.size();
-  line_ = joined(memory_->columns_, field_count_);
+  line_ = joined_names(memory_->columns_, field_count_);
 }
 
 bool CsvReader::next_line() {

@@ -3,7 +3,7 @@
 
 namespace limitcurve::cli {
 
-std::string joined(const std::vector<std::string>& names, std::size_t count) {
+std::string joined_names(const std::vector<std::string>& names, std::size_t count) {
   std::string text;
   for (std::size_t i = 0; i < count; ++i) text += (text.empty() ? "" : ",") + names[i];
   return text;

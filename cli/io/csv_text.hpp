@@ -10,7 +10,7 @@
 namespace limitcurve::cli {
 
 /// The first names, with commas between them.
-std::string joined(const std::vector<std::string>& names, std::size_t count);
+std::string joined_names(const std::vector<std::string>& names, std::size_t count);
 /// The beginning of a text, made printable.
 std::string excerpt(std::string_view text);
 /// What the bytes at the beginning of a file say if they are no text in UTF-8; else empty.

@@ -8,7 +8,7 @@ namespace limitcurve::cli {
 
 namespace {
 
-const std::vector<std::string> slip_columns{"load", "force", "moment", "sigma_force", "sigma_moment", "grip"};
+const std::vector<std::string> sample_columns{"load", "force", "moment", "sigma_force", "sigma_moment", "grip"};
 
 /// Of a file whose first columns are those of slips.
 std::vector<fit::Sample> slips(CsvReader& reader) {
@@ -37,16 +37,16 @@ std::vector<fit::Sample> slips(CsvReader& reader) {
 }  // namespace
 
 std::vector<fit::Sample> read_slip_samples(const std::string& file, const FileColumns& columns) {
-  CsvReader reader(file, {slip_columns.begin(), slip_columns.begin() + 3},
-                   {slip_columns.begin() + 3, slip_columns.end()}, columns);
+  CsvReader reader(file, {sample_columns.begin(), sample_columns.begin() + 3},
+                   {sample_columns.begin() + 3, sample_columns.end()}, columns);
   return slips(reader);
 }
 
 std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio_data(const std::string& file,
                                                                                       const FileColumns& file_columns) {
-  std::vector<std::string> columns = slip_columns;
+  std::vector<std::string> columns = sample_columns;
   columns.insert(columns.end(), {"ratio", "ratio_sd", "n"});
-  const std::size_t ratio = slip_columns.size();
+  const std::size_t ratio = sample_columns.size();
   CsvReader reader(file, {}, columns, file_columns, "load,force,moment or ratio,ratio_sd");
   const auto require = [&](std::size_t column) {
     if (!reader.has(column)) throw reader.no_column(columns[column]);

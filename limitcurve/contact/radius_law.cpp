@@ -23,12 +23,12 @@ double checked(std::string_view name, double value, std::string_view unit) {
 }
 
 /// A kind of radius law: an example of its text, with the one or two keys of its numbers, and how it is made of these.
-struct Kind {
+struct RadiusKind {
   std::string_view example;
   RadiusLaw (*make)(double first, double second);
 };
 
-constexpr std::array kinds = std::to_array<Kind>({
+constexpr std::array radius_kinds = std::to_array<RadiusKind>({
     {"constant:a=0.005", [](double radius, double) { return RadiusLaw::constant(radius); }},
     {"hertz:R=0.008,E=2e5", RadiusLaw::hertz},
     {"power:c=0.00207,gamma=0.259", RadiusLaw::power},
@@ -137,8 +137,8 @@ double RadiusLaw::load_of_product(double product) const noexcept {
 
 std::span<const std::string_view> RadiusLaw::examples() {
   static constexpr auto examples = [] {
-    std::array<std::string_view, kinds.size()> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = kinds[i].example;
+    std::array<std::string_view, radius_kinds.size()> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = radius_kinds[i].example;
     return all;
   }();
   return examples;
@@ -149,7 +149,7 @@ RadiusLaw RadiusLaw::parse(std::string_view text) {
   try {
     std::string expected;
     std::vector<std::string_view> names{"samples", "moments"};
-    for (const Kind& kind : kinds) {
+    for (const RadiusKind& kind : radius_kinds) {
       expected.append(kind.example).append(", ");
       names.push_back(split_description(kind.example).kind);
       if (names.back() != name) continue;

@@ -67,14 +67,14 @@ std::string to_json(const PatchTable& table) {
   const PatchTableContents contents = table.contents();
   std::string text = "{\n  \"format\": \"limitcurve patch table 1\"";
   const auto add = [&](std::string_view name, const std::string& value) {
-    text.append(",\n  ").append(table::quoted(name)).append(": ").append(value);
+    text.append(",\n  ").append(table::json_string(name)).append(": ").append(value);
   };
-  add("patch", table::quoted(contents.name));
+  add("patch", table::json_string(contents.name));
   for (const auto& [name, number] : numbers_of(contents)) add(name, format_number(*number));
   add("cells", std::to_string(contents.cells));
-  add("version", table::quoted(version));
-  add("checksum", table::quoted(checksum(contents)));
-  std::string names = table::quoted(columns);
+  add("version", table::json_string(version));
+  add("checksum", table::json_string(checksum(contents)));
+  std::string names = table::json_string(columns);
   for (std::size_t comma = 0; (comma = names.find(',', comma)) != std::string::npos; comma += 4)
     names.replace(comma, 1, "\", \"");
   add("columns", "[" + names + "]");

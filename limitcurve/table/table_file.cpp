@@ -202,17 +202,17 @@ Table table_of(const TableContents& contents, std::string_view expected_checksum
 
 std::string to_json(const Table& table) {
   const TableContents contents = contents_of(table);
-  using table::quoted;
+  using table::json_string;
   std::string text = "{\n  \"format\": \"limitcurve table 2\"";
   const auto add = [&](std::string_view name, const std::string& value) {
-    text.append(",\n  ").append(quoted(name)).append(": ").append(value);
+    text.append(",\n  ").append(json_string(name)).append(": ").append(value);
   };
   const auto facts = facts_of(contents);
-  add("law", quoted(contents.law));
+  add("law", json_string(contents.law));
   for (std::size_t i = 1; i < facts.size(); ++i) add(fact_names[i], facts[i]);
-  add("version", quoted(version));
-  add("checksum", quoted(checksum(contents)));
-  std::string names = quoted(cell_columns);
+  add("version", json_string(version));
+  add("checksum", json_string(checksum(contents)));
+  std::string names = json_string(cell_columns);
   for (std::size_t comma = 0; (comma = names.find(',', comma)) != std::string::npos; comma += 4)
     names.replace(comma, 1, "\", \"");
   add("columns", "[" + names + "]");

@@ -35,7 +35,7 @@ inline void require_checksum(std::string_view source, std::string_view expected,
 }
 
 /// `text` as a string of JSON. Only the name of a file can have a character that JSON escapes.
-inline std::string quoted(std::string_view text) {
+inline std::string json_string(std::string_view text) {
   std::string escaped(1, '"');
   for (const char c : text) {
     if (c == '"' || c == '\\') escaped += '\\';
