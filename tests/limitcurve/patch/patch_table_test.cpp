@@ -206,12 +206,12 @@ TEST(PatchTable, FilesKeepEveryBitAndSayWhereTheyAreWrong) {
     change(contents);
     test::expect_mention(test::complaint([&] { (void)PatchTable(contents); }), told);
   };
-  no_table("moment_ratio = nan", [](PatchTableContents& of) { of.moment_ratio = nan; });
+  no_table("moment_ratio = nan", [](PatchTableContents& of) { of.moment_ratio = test::nan; });
   no_table("my = 0", [](PatchTableContents& of) { of.factors.y = 0.0; });
-  no_table("centre_x = inf", [](PatchTableContents& of) { of.centre.x = inf; });
-  for (const double power : {-1.0, 0.0, nan})
+  no_table("centre_x = inf", [](PatchTableContents& of) { of.centre.x = test::inf; });
+  for (const double power : {-1.0, 0.0, test::nan})
     no_table("expected finite numbers and a power > 0", [&](PatchTableContents& of) { of.nodes[7][0] = power; });
-  no_table("expected finite numbers", [](PatchTableContents& of) { of.nodes.back()[2] = inf; });
+  no_table("expected finite numbers", [](PatchTableContents& of) { of.nodes.back()[2] = test::inf; });
 }
 
 }  // namespace
