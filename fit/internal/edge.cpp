@@ -363,7 +363,7 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
                 std::to_string(at_limit.grips) + " grips reach the limit: " + std::to_string(slides) + " slides, " +
                 std::to_string(twists) + " twists, " + std::to_string(both) + " both";
   if (share < 0.03 || factor > 1.8) {
-    report.warnings.push_back(
+    report.warnings.emplace_back(
         "no sharp edge: the finger did not slip, or not in these rows; a limit is what the wrench reached");
   }
   const std::array<double, 2> most_difference{0.05, 0.15};
