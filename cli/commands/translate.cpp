@@ -263,9 +263,11 @@ Numbers of one engine describe one contact; a parameter that comes again begins 
     try {
       const auto with = [&](double mu) { return engines::read_coefficients(numbers, mu, law_); };
       const auto size = [](const auto& one) { return std::pair(if_any(one.moment_per_load), if_any(one.radius)); };
+      const auto same = [&](const auto& one, const auto& other) { return size(one) == size(other); };
       const double mu = frictions_.empty() ? std::numeric_limits<double>::quiet_NaN() : frictions_.front();
       meanings = with(mu);
-      results.warn_idle({{"--mu", std::ranges::equal(meanings, with(mu == 1.0 ? 2.0 : 1.0), {}, size, size)}},
+      const auto others = with(mu == 1.0 ? 2.0 : 1.0);
+      results.warn_idle({{"--mu", std::equal(meanings.begin(), meanings.end(), others.begin(), same)}},
                         "numbers that have their own friction or set no moment");
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(std::string("--read: ") + error.what());
