@@ -148,6 +148,7 @@ polytope's radius over the limit surface's in the worst direction. There are 8, 
     while (reader.next()) {
       const PatchWrench wrench{reader.number(0, finite), reader.number(1, finite), reader.number(2, finite)};
       const auto [twist, gauge, error] = patch.slip(wrench);
+      // A foot carries a large moment.
       if (patch.radius() < 0.05) questions.wrench(std::hypot(wrench.fx, wrench.fy), wrench.moment);
       questions.load(gauge / mu_);
       list.write(rows, {wrench, gauge / mu_, twist, error});

@@ -59,14 +59,18 @@ class Reader {
     if (end == std::string_view::npos) fail(rest_.size() + 1, "the text ends within a line: expected an end of line");
     std::string_view text = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
-    // A spreadsheet appends blanks and commas.
-    text.remove_suffix(text.size() - (text.find_last_not_of("\r\t ,") + 1));
+    text.remove_suffix(text.size() - (text.find_last_not_of(padding_) + 1));
     return text;
   }
 
   /// Reads the first line, which must be `title`.
   void title(std::string_view title) {
-    const std::string_view first = rest_.starts_with('#') ? line() : rest_.substr(0, 0);
+    std::string_view first = rest_.starts_with('#') ? line() : rest_.substr(0, 0);
+    // A spreadsheet appends blanks and commas to every line; otherwise a name may end in them.
+    if (first.starts_with(title) && first.find_first_not_of("\t ,", title.size()) == std::string_view::npos) {
+      if (first != title) padding_ = "\r\t ,";
+      first = title;
+    }
     if (first != title)
       fail(1, "not a table: expected the first line '" + std::string(title) + "'" +
                   (first.empty() ? "" : ", got '" + std::string(first.substr(0, 60)) + "'"));
@@ -127,6 +131,7 @@ class Reader {
  private:
   std::string_view rest_;
   std::string_view source_;
+  std::string_view padding_ = "\r";  ///< what ends a line beside its text
   std::size_t line_ = 0;
 };
 

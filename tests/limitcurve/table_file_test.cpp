@@ -112,6 +112,20 @@ TEST(TableFile, EveryEditedDigitIsNoticed) {
   EXPECT_GT(noticed, 100);
 }
 
+// A spreadsheet pads every line to the widest, editors put a mark before the first; a name keeps what it ends in.
+TEST(TableFile, TakesAFileThatASpreadsheetSaved) {
+  const std::string text = to_csv(Table::build(hertz(), 1e-3));
+  for (const std::string padding : {"\r", ",,,,\r", "  ", "\t,"}) {
+    std::string saved = "\xEF\xBB\xBF";
+    for (const char c : text) saved += c == '\n' ? padding + "\n" : std::string(1, c);
+    EXPECT_EQ(to_csv(read_table_csv(saved, "saved.csv")), text) << padding;
+  }
+  for (const char* const name : {"mine,", "mine "}) {
+    const std::string named = to_csv(Table::build(ExactCurve(hertz()), 1e-3, {.name = name}));
+    EXPECT_EQ(to_csv(read_table_csv(named, "named.csv")), named) << name;
+  }
+}
+
 TEST(TableFile, EveryFactIsHeldByTheChecksum) {
   const std::string text = to_csv(Table::build(hertz(), 1e-3));
   for (const char* fact : {"law", "tolerance", "checked_error", "index_bits", "octaves", "linear_error"}) {
