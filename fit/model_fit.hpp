@@ -59,9 +59,8 @@ struct ModelFit {
   std::vector<std::pair<std::string, double>> candidates = {};
 };
 
-/// Fits any kind. `ratio` warns of the radii that the other common laws imply, and `load` has a free exponent unless
-/// `load_model` says otherwise. Options of other kinds or data have no effect. Throws std::invalid_argument for
-/// data of another kind, and what the fit throws.
+/// Fits any kind. The exponent of `load` is free unless `load_model` says otherwise. Options of other kinds or data
+/// have no effect. Throws std::invalid_argument for data of another kind, and what the fit can throw.
 ModelFit fit(Kind kind, const Data& data, const FitOptions& options = {});
 
 }  // namespace limitcurve::fit
