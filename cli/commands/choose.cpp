@@ -53,26 +53,26 @@ appears if k_r/k_l is more than ten times above or below (mu_r/mu_l)^2, the rati
 
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
-    options.text("--patch", patch_, "PATCH", "Instead of --law: a contact that is not round");
+    options.text("--patch", patch_, "PATCH", "A contact that is not round, instead of --law");
     options.number("--tolerance", tolerance_, positive,
                    "Largest relative error you accept (0.01 is 1 %), from 1e-10 to 1; with --scene from 1e-6",
                    Presence::required);
     options.flag("--explain", explain_, "Print the reason for each candidate");
     options.flag("--scene", scene_wanted_,
                  "Choose a whole simulation step: curve, projection, and whether torsion matters");
-    options.number("--mu", scene_.mu, positive, "Scene: friction coefficient");
+    options.number("--mu", scene_.mu, positive, "Friction coefficient of the scene");
     options.radius_law(radius_law_);
     options.number("--mu-r", scene_.mu_r, positive,
-                   "Scene, instead of --radius-law: mu_r [m]; the moment limit is then mu_r P");
-    options.numbers("--loads", loads_, positive, "Scene: smallest and largest load [N] (default 0.5,2)",
+                   "mu_r [m] instead of --radius-law, so that the scene's moment limit is mu_r P");
+    options.numbers("--loads", loads_, positive, "Smallest and largest load of the scene [N] (default 0.5,2)",
                     Presence::optional);
-    options.number("--stiffness", scene_.stiffness, positive, "Scene: contact stiffness k_l [N/m]");
-    options.number("--twist-stiffness", scene_.twist_stiffness, positive, "Scene: torsional stiffness k_r [N m/rad]");
-    options.number("--sample-time", scene_.sample_time, positive, "Scene: sample time [s]");
-    options.number("--slide-speed", scene_.slide_speed, non_negative, "Scene: largest sliding speed [m/s]");
-    options.number("--twist-rate", scene_.twist_rate, non_negative, "Scene: largest twist rate [rad/s]");
-    options.number("--slide", scene_.slide, non_negative, "Scene: largest distance from the first contact [m]");
-    options.number("--twist", scene_.twist, non_negative, "Scene: largest twist since the first contact [rad]");
+    options.number("--stiffness", scene_.stiffness, positive, "Contact stiffness k_l of the scene [N/m]");
+    options.number("--twist-stiffness", scene_.twist_stiffness, positive, "Torsional stiffness k_r of the scene [N m/rad]");
+    options.number("--sample-time", scene_.sample_time, positive, "Sample time of the scene [s]");
+    options.number("--slide-speed", scene_.slide_speed, non_negative, "Largest sliding speed of the scene [m/s]");
+    options.number("--twist-rate", scene_.twist_rate, non_negative, "Largest twist rate of the scene [rad/s]");
+    options.number("--slide", scene_.slide, non_negative, "Largest distance from the scene's first contact [m]");
+    options.number("--twist", scene_.twist, non_negative, "Largest twist since the scene's first contact [rad]");
   }
 
   void run(const Results& results) override {

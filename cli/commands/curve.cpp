@@ -25,7 +25,7 @@ class Curve final : public Subcommand {
     options.law(law_);
     options.count("--points", points_, 2, 10'000'000, "Number of points");
     options.count("--half-spaces", half_spaces_, 8, 1'000'000,
-                  "Instead of points: at most N inequalities, for a planner");
+                  "At most N inequalities for a planner, instead of points");
   }
 
   void run(const Results& results) override {

@@ -84,19 +84,19 @@ gravity pulls along --down, and the centre of mass is --offset from the origin t
     options.moment(torsion_);
     options.named("--curve", curve_, godobject::curve_kind_names(), godobject::parse_curve_kind,
                   "Limit curve: {}; ellipse and box with --mu-r need no --law");
-    options.text("--patch", patch_, "PATCH", "Instead of --law and --radius-law: a contact that is not round");
+    options.text("--patch", patch_, "PATCH", "A contact that is not round, instead of --law and --radius-law");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu [1]", Presence::required);
     options.numbers("--force", force_, finite, "Friction force F to carry [N]; with --patch FX,FY", Presence::optional);
     options.number("--moment", moment_, finite, "Friction moment M to carry [N m]");
     options.text("--data", data_, "FILE",
-                 "Instead of --force and --moment: a CSV file of them, or - for standard input");
+                 "CSV file of forces and moments, or - for standard input, instead of --force and --moment");
     options.file_columns(columns_);
     options.least_load(columns_);
     options.count("--fingers", fingers_, 1, 100,
-                  "Instead of --force and --moment: number of fingers that hold an object (default 2)");
+                  "Number of fingers that hold an object, instead of --force and --moment (default 2)");
     options.number("--mass", mass_, positive, "Mass m of the object [kg]");
     options.number("--offset", offset_, finite, "Horizontal distance l from the grip to its centre of mass [m]");
-    options.numbers("--down", down_, finite, "With --patch and --mass: direction of gravity, X,Y (default 0,-1)",
+    options.numbers("--down", down_, finite, "Direction of gravity X,Y, if --patch and --mass are given (default 0,-1)",
                     Presence::optional);
     options.number("--gravity", gravity_, non_negative, "Gravity g [m/s^2]");
   }

@@ -168,7 +168,7 @@ void Options::radius_law(std::optional<RadiusLawArgument>& value) {
 void Options::moment(MomentArgument& value) {
   radius_law(value.radius_law);
   number("--mu-r", value.mu_r, non_negative,
-         "Instead of --radius-law: mu_r [m/N^gamma], which sets the moment limit mu_r P^(1+gamma)");
+         "mu_r [m/N^gamma], which sets the moment limit mu_r P^(1+gamma), instead of --radius-law");
   number("--gamma", value.gamma, Range{-0.5, 1.0, "a number from -0.5 to 1"},
          "Exponent gamma of --mu-r, from -0.5 to 1 (default 0)");
 }

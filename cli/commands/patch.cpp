@@ -101,11 +101,11 @@ polytope's radius over the limit surface's in the worst direction. There are 8, 
     options.law(law_, Presence::optional);
     options.moment(moment_);
     options.text("--twists", twists_, "FILE", "CSV file of slip twists, or - for standard input");
-    options.text("--wrenches", wrenches_, "FILE", "Instead of --twists: CSV file of wrenches, or - for standard input");
+    options.text("--wrenches", wrenches_, "FILE", "CSV file of wrenches, or - for standard input, instead of --twists");
     options.count("--half-spaces", half_spaces_, 8, 1'000'000,
-                  "Instead of --twists: at most N inequalities, which do not depend on mu and load");
+                  "At most N inequalities, which do not depend on mu and load, instead of --twists");
     options.number("--mu", mu_, positive, "Friction coefficient mu");
-    options.number("--load", load_, positive, "With --twists: normal load P [N] (default 1)");
+    options.number("--load", load_, positive, "Normal load P [N] of --twists (default 1)");
   }
 
   void run(const Results& results) override {

@@ -108,7 +108,7 @@ eq. 7).)",
     options.number("--mu", mu_, non_negative,
                    "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
     options.number("--mu-r", mu_r_, non_negative,
-                   "Instead of --radius-law: mu_r [m] (default: the material's, else sandpaper's)");
+                   "mu_r [m] instead of --radius-law (default: the material's, else sandpaper's)");
     options.text("--grip", grip_file_, "FILE", "Grip from a CSV file, columns time,load [s, N]");
     options.value(
         "--release", "LIST", [this](const std::string& text) { release_ = read_release(text); },

@@ -130,7 +130,7 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
                  Presence::required);
     options.law(replay_.law, Presence::optional);
     options.text("--patch", patch_, "PATCH",
-                 "Instead of --law and --radius-law: a contact that is not round; needs closest-point");
+                 "A contact that is not round, instead of --law and --radius-law; needs closest-point");
     options.radius_law(radius_law_);
     options.finger(replay_.finger, {"mu", "stiffness", "twist_stiffness"}, false);
     options.named("--curve", replay_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind,

@@ -35,7 +35,7 @@ units of mu P, and of the moment in units of the largest moment), and bytes.)",
 
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
-    options.text("--patch", patch_, "PATCH", "Instead of --law: a contact that is not round (see 'limitcurve patch')");
+    options.text("--patch", patch_, "PATCH", "A contact that is not round, instead of --law (see 'limitcurve patch')");
     options.number("--tolerance", tolerance_, positive,
                    "Largest error of force and moment, in unit wrenches, or times m0 if m0 > 1 (default 1e-8, with "
                    "--real float 1e-6, with --patch 1e-3)");

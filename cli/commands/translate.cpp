@@ -107,7 +107,7 @@ Numbers of one engine describe one contact; a parameter that comes again begins 
     options.law(law_, Presence::optional);
     options.moment(moment_);
     options.text("--patch", patch_, "PATCH",
-                 "Instead of --law, --radius-law and --load: a contact that is not round (see 'limitcurve patch')");
+                 "A contact that is not round, instead of --law, --radius-law and --load (see 'limitcurve patch')");
     options.numbers("--mu", frictions_, positive, "Friction coefficient mu [1], or several: 0.4,1.2",
                     Presence::optional);
     options.number("--load", load_, positive, "Normal load P [N] at which the engine gets the exact limits");

@@ -78,12 +78,12 @@ wrench within 1e-6 of theirs. With --law signs do not matter. Errors are gauge -
         "Pressure law, or samples:FILE.csv; may be repeated (default: all in 'limitcurve laws')", Presence::optional);
     options.repeated(
         "--patch", "PATCH", [this](const std::string& text) { patches_.push_back(text); },
-        "Instead of --law: a contact that is not round; may be repeated", Presence::optional);
+        "A contact that is not round, instead of --law; may be repeated", Presence::optional);
     options.text("--points", file_, "FILE",
-                 "Instead of models: a CSV file of points of your limit curve, or - for standard input");
-    options.number("--mu", mu_, positive, "Scale of --points: friction coefficient (default 1)");
-    options.number("--load", load_, positive, "Scale of --points: normal load P [N] (default 1)");
-    options.number("--radius", radius_, positive, "Scale of --points with --law: contact radius a [m] (default 1)");
+                 "CSV file of points of your limit curve, or - for standard input, instead of models");
+    options.number("--mu", mu_, positive, "Friction coefficient that scales --points (default 1)");
+    options.number("--load", load_, positive, "Normal load P [N] that scales --points (default 1)");
+    options.number("--radius", radius_, positive, "Contact radius a [m] that scales --points under --law (default 1)");
   }
 
   void run(const Results& results) override {
