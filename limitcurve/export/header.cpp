@@ -274,8 +274,10 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_closest_point(double force, dou
   put("@ROUNDING@", is_single ? "5e-7f" : "1e-15");
   put("@FAR@", is_single ? "1e-14f" : "1e-32");
   put("@ONSET@", is_single ? "1.0000038f" : "1.0 + 1e-12");
-  put("@TOLERANCE@", literal(is_single ? single_precision_error(table) : table.tolerance()));
-  put("@CHECKED@", is_single ? literal(single_precision_error(table) * (1 + 1e-7)) : literal(table.checked_error()));
+  // In float a little more, so that its rounding is above the error.
+  const double error = is_single ? single_precision_error(table) * (1 + 1e-7) : table.checked_error();
+  put("@TOLERANCE@", literal(is_single ? std::max(table.tolerance(), error) : table.tolerance()));
+  put("@CHECKED@", literal(error));
   put("@PROFILE@", literal(table.profile_error()));
   put("@RATIO@", literal(table.moment_ratio()));
   put("@RIM@", literal(table.rim().force) + ", " + literal(table.rim().moment));
