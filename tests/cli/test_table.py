@@ -37,11 +37,11 @@ class Tables(CommandLineTest):
     def test_a_header_and_its_row_state_what_it_holds(self):
         for real, size in (("double", 8), ("float", 4)):
             path = self.directory / "thumb.h"
-            facts = rows("table", "--law", "hertz", "--tolerance", 1e-6, "--real", real, "--name", "thumb", "-o", path)[0]
+            facts, = rows("table", "--law", "hertz", "--tolerance", 1e-6, "--real", real, "--name", "thumb", "-o", path)
             text = path.read_text()
-            shapes = [(int(n), int(columns)) for n, columns in re.findall(r"thumb_(?:in|out)side\[(\d+)\]\[(\d+)\]", text)]
-            self.assertEqual(facts["nodes"], sum(n for n, _ in shapes))
-            self.assertEqual(facts["bytes"], size * sum(n * columns for n, columns in shapes))
+            sides = re.findall(r"thumb_(?:in|out)side\[(\d+)\]\[(\d+)\]", text)
+            self.assertEqual(facts["nodes"], sum(int(count) for count, _ in sides))
+            self.assertEqual(facts["bytes"], size * sum(int(count) * int(columns) for count, columns in sides))
             tolerance, checked = (float(re.search(rf"thumb_{name} = ([-+.\de]+)", text)[1])
                                   for name in ("tolerance", "checked_error"))
             self.assertEqual(tolerance, 1e-6)
