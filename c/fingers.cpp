@@ -45,20 +45,20 @@ bool is_projection(limitcurve_projection projection) noexcept {
   return projection >= 0 && static_cast<std::size_t>(projection) < projection_names.size();
 }
 
-FingerParameters parameters_of(const limitcurve_finger_parameters& given) {
-  if (given.radius_law == nullptr && std::isnan(given.mu_r) && given.max_speed != 0.0)
-    throw std::invalid_argument("radius_law: got NULL, expected it, or mu_r");
-  return parameters_of(given, FingerParameters().radius_law);
-}
-
-FingerParameters parameters_of(const limitcurve_finger_parameters& given, const RadiusLaw& otherwise) {
+FingerParameters parameters_of(const limitcurve_finger_parameters& given, const RadiusLaw* otherwise) {
   // What no finger may have tells a structure of zero bytes, in which friction was never given.
   if (given.max_speed == 0.0)
     throw std::invalid_argument("max_speed: got 0, expected a number > 0; begin with limitcurve_finger_defaults()");
   if (given.radius_law != nullptr && !std::isnan(given.mu_r))
     throw std::invalid_argument("mu_r: not with radius_law, expected one of them: radius_law NULL, or mu_r NaN");
+  if (given.radius_law == nullptr && std::isnan(given.mu_r) && otherwise == nullptr)
+    throw std::invalid_argument("radius_law: got NULL, expected it, or mu_r");
   FingerParameters parameters;
-  parameters.radius_law = given.radius_law != nullptr ? RadiusLaw::parse(given.radius_law) : otherwise;
+  if (given.radius_law != nullptr) {
+    parameters.radius_law = RadiusLaw::parse(given.radius_law);
+  } else if (otherwise != nullptr) {
+    parameters.radius_law = *otherwise;
+  }
   auto member = members.begin();
   for_each_number(parameters, [&](const ParameterInfo&, auto& value) {
     const double number = given.**member++;
@@ -201,9 +201,11 @@ limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch,
                                               limitcurve_finger** finger) {
   if (is_no_handle("patch", patch) || is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
   limitcurve_finger_parameters own = *parameters;
-  own.radius_law = limitcurve_finger_defaults().radius_law;  // a patch has its own size
-  return make_handle(finger,
-                     [&] { return limitcurve_finger{SoftFinger(patch->patch, parameters_of(own), point_radius)}; });
+  own.radius_law = nullptr;  // a patch has its own size
+  return make_handle(finger, [&] {
+    const RadiusLaw unread = FingerParameters().radius_law;
+    return limitcurve_finger{SoftFinger(patch->patch, parameters_of(own, &unread), point_radius)};
+  });
 }
 
 void limitcurve_finger_free(limitcurve_finger* finger) {
@@ -295,7 +297,8 @@ limitcurve_status limitcurve_finger_change(limitcurve_finger* finger, const limi
   limitcurve_status status = LIMITCURVE_OK;
   const limitcurve_status read = guarded([&] {
     SoftFinger& changed = finger->finger;
-    const FingerParameters next = parameters_of(*parameters, changed.parameters().radius_law);
+    const FingerParameters& before = changed.parameters();
+    const FingerParameters next = parameters_of(*parameters, before.mu_r ? nullptr : &before.radius_law);
     if (const auto bad = changed.refusal(next)) {
       status = refuse(bad->name, bad->value, bad->range);
     } else {

@@ -41,10 +41,10 @@ struct limitcurve_patch {
 
 namespace limitcurve::c {
 
-/// Converts the parameters to the library's type; throws if they are refused.
-godobject::FingerParameters parameters_of(const limitcurve_finger_parameters& given);
-/// Without a radius law: this one.
-godobject::FingerParameters parameters_of(const limitcurve_finger_parameters& given, const RadiusLaw& otherwise);
+/// Converts the parameters to the library's type; throws if they are refused. `otherwise` stands in for a radius law
+/// that is NULL beside no mu_r; if it is null too, one of both must be given.
+godobject::FingerParameters parameters_of(const limitcurve_finger_parameters& given,
+                                          const RadiusLaw* otherwise = nullptr);
 godobject::Projection projection_of(limitcurve_projection projection);
 
 }  // namespace limitcurve::c

@@ -313,7 +313,7 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_preview_pose(const limitcurve
 
 /* Changes the parameters in the loop, for example when the finger touches another material. If one is out of range,
  * nothing changes. Proxy, angle and the last output stay; the next step uses the new springs at the same deflection. If
- * radius_law is NULL, the finger keeps its radius law, and the call is [real time]. */
+ * radius_law is NULL, a finger without mu_r keeps its radius law, and the call is [real time]. */
 LIMITCURVE_API limitcurve_status limitcurve_finger_change(limitcurve_finger* finger,
                                                           const limitcurve_finger_parameters* parameters);
 

@@ -190,7 +190,7 @@ makes its contact `invalid`; the last output of that contact stays.
         warn_without_skin("Batch", made.given);
         made.given["n"] = n;
         const Projection projection = projection_of(given[3]);
-        const FingerParameters parameters = parameters_of(made.given, curve_of<double>(curve).moment_ratio());
+        const FingerParameters parameters = parameters_of(made.given, curve_of<double>(curve).moment_max());
         if (parameters.damping != 0.0 || parameters.twist_damping != 0.0)
           throw std::invalid_argument("damping, twist_damping: expected 0, a batch has no dampers");
         for (const char* const name : {"max_speed", "fault_decay"}) {

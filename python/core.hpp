@@ -121,9 +121,9 @@ godobject::BasicFingerCurve<Real> curve_of(nb::handle curve);
 
 /// With what a radius law's file holds in place of its name: (text, loads, values).
 nb::dict read_files(nb::dict given);
-/// Parameters by their C++ names; other names are passed over. `moment_ratio` is the curve's m₀, for
-/// a radius law from measured moments. ValueError for a bad number or radius law.
-godobject::FingerParameters parameters_of(const nb::dict& given, double moment_ratio);
+/// Parameters by their C++ names; other names are passed over. `moment_max` is the curve's unit moment of a
+/// pure twist, for a radius law from measured moments. ValueError for a bad number or radius law.
+godobject::FingerParameters parameters_of(const nb::dict& given, double moment_max);
 /// Warns, with what is assumed, if none of a finger's parameters is given; a patch has its own size.
 void warn_without_skin(const char* type, const nb::dict& given, bool of_patch = false);
 /// Warns of a radius law whose radius at 1 N is hardly in metres.

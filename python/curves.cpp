@@ -56,7 +56,8 @@ nb::object loads_to_hold(const Curve& curve, const BoundArguments& given) {
         {force, moment, mu}, {"force", "moment", "mu"}, {any, any, ranges::non_negative}, [&](const auto& of) {
           // Measured moments make another radius law for each mu; without friction none matters.
           if (of[2] != contact.mu)
-            contact.radius_law = of[2] > 0.0 ? argument.of(of[2], curve.moment_ratio()) : RadiusLaw::constant(1e-3);
+            contact.radius_law =
+                of[2] > 0.0 ? argument.of(of[2], curve.wrench({0.0, 1.0}).moment) : RadiusLaw::constant(1e-3);
           contact.mu = of[2];
           return least(contact, of[0], of[1]);
         });
@@ -134,12 +135,12 @@ void add_limit_curve(nb::class_<Class>& type) {
       "numbers broadcast.\n\n"
       "`radius_law` gives the contact radius a(P), as on the command line; or `mu_r` [m/N^gamma] is given as measured, "
       "and the moment\n"
-      "limit is mu_r P^(1+gamma): radii a [m] of many contacts are mu_r = mu * moment_ratio * a. Of a measured "
-      "pressure lc.hold(...)\n"
-      "estimates the error, hold_error.");
+      "limit is mu_r P^(1+gamma): radii a [m] of many contacts are mu_r = mu * wrench(0, 1)[1] * a. Of a measured "
+      "pressure\n"
+      "lc.hold(...) estimates the error, hold_error.");
   type.def_prop_ro(
       "moment_ratio", [](const Class& self) { return curve_in(self).moment_ratio(); },
-      "m0, the unit moment of a pure twist.");
+      "m0, the moment of a pure twist over the force of a pure slide, both in unit wrenches.");
 }
 
 constexpr std::size_t cell_columns = 9;

@@ -55,7 +55,7 @@ nb::dict read_files(nb::dict given) {
   return given;
 }
 
-FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
+FingerParameters parameters_of(const nb::dict& given, double moment_max) {
   FingerParameters parameters;
   std::optional<cli::RadiusLawArgument> radius_law;
   for (const auto& [key, value] : given) {
@@ -81,7 +81,7 @@ FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
   }
   if (!radius_law) return parameters;
   if (parameters.mu_r) throw std::invalid_argument("mu_r: not with radius_law, expected one of them");
-  parameters.radius_law = radius_law->of(parameters.mu, moment_ratio);
+  parameters.radius_law = radius_law->of(parameters.mu, moment_max);
   ask_unit(parameters.radius_law);
   return parameters;
 }

@@ -95,8 +95,8 @@ void change(PyFinger& finger, const BoundArguments& given) {
   nb::dict all = read_files(without(given.by_name, ""));
   if (finger.patch() != nullptr && all.contains("radius_law"))
     throw std::invalid_argument("radius_law: not with a Patch, which has its own size");
-  const double ratio = finger.patch() != nullptr ? finger.patch()->moment_ratio() : finger.curve()->moment_ratio();
-  const FingerParameters parameters = parameters_of(all, ratio);
+  const double moment_max = finger.patch() != nullptr ? 0.0 : finger.curve()->moment_max();
+  const FingerParameters parameters = parameters_of(all, moment_max);
   if (const auto bad = finger.refusal(parameters)) throw out_of_range(bad->name, bad->value, bad->unit, bad->range);
   finger.change(parameters);
   for (const char* const kept : {"projection", "point_radius"}) {
@@ -205,7 +205,7 @@ void add_finger_types(nb::module_& module) {
         const nb::dict all = read_files(without(given.by_name, "curve"));
         warn_without_skin("SoftFinger", all);
         FingerCurve on = curve_of<double>(given[0]);
-        const FingerParameters parameters = parameters_of(all, on.moment_ratio());
+        const FingerParameters parameters = parameters_of(all, on.moment_max());
         new (self) PyFinger(SoftFinger(std::move(on), parameters, projection_of(given[1])), given[0], all);
       },
       "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: "

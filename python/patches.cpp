@@ -80,16 +80,19 @@ PyPatch asked(cli::PatchArgument argument) {
 
 nb::object slips(const PyPatch& patch, const BoundArguments& given) {
   constexpr double much = 1e-6;
-  std::atomic<double> worst = 0.0;
+  std::atomic<double> worst = much;
   const nb::object found =
       of_numbers<4, 16, 3>({given[0], given[1], given[2]}, {"fx", "fy", "moment"}, {any, any, any},
                            [&](const std::array<double, 3>& wrench) {
                              const auto [twist, gauge, error] = patch.slip({wrench[0], wrench[1], wrench[2]});
                              // An image's own error is larger, and known from `wrench`.
-                             if (error > much && error > 10.0 * patch.about_origin(twist).error) worst = error;
+                             double before = worst;
+                             const bool counts = error > before && error > 10.0 * patch.about_origin(twist).error;
+                             while (counts && error > before && !worst.compare_exchange_weak(before, error)) {
+                             }
                              return std::array{twist.vx, twist.vy, twist.omega, error};
                            });
-  if (worst > 0.0)
+  if (worst > much)
     warn("slip: a twist needs a wrench that is off by up to " + format_number(worst) +
          " of the load: ask for the errors with error=True");
   const nb::object twists = numpy("stack")(nb::make_tuple(found[0], found[1], found[2]), -1);
@@ -157,8 +160,31 @@ PyPatch image(const BoundArguments& given) {
   return asked(std::move(made));
 }
 
-using PatchState = std::tuple<std::string, std::string, std::vector<double>, std::size_t, std::vector<double>,
-                              std::string, std::vector<double>, std::vector<std::pair<double, double>>>;
+using PatchTableState = std::tuple<std::string, int, std::vector<double>, nb::bytes>;
+
+PatchTableState table_state_of(const PatchTable& table) {
+  const PatchTableContents contents = table.contents();
+  std::vector<double> numbers;
+  for (const auto& [name, number] : numbers_of(contents)) numbers.push_back(*number);
+  return {contents.name, contents.cells, numbers,
+          nb::bytes(contents.nodes.data(), contents.nodes.size() * sizeof(PatchTableContents::Node))};
+}
+
+PatchTable patch_table_of(const PatchTableState& state) {
+  const auto& [name, cells, numbers, nodes] = state;
+  PatchTableContents contents;
+  contents.name = name;
+  contents.cells = cells;
+  std::size_t i = 0;
+  for (const auto& [key, number] : numbers_of(contents)) *number = numbers.at(i++);
+  contents.nodes.resize(nodes.size() / sizeof(PatchTableContents::Node));
+  std::memcpy(contents.nodes.data(), nodes.data(), nodes.size());
+  return PatchTable(std::move(contents));
+}
+
+using PatchState =
+    std::tuple<std::string, std::string, std::vector<double>, std::size_t, std::vector<double>, std::string,
+               std::vector<double>, std::vector<std::pair<double, double>>, std::optional<PatchTableState>>;
 
 PatchState state_of(const PyPatch& self) {
   const cli::PatchArgument& made = self.made_of;
@@ -166,11 +192,13 @@ PatchState state_of(const PyPatch& self) {
   for (const PressureSample& sample : made.profile) profile.insert(profile.end(), {sample.radius, sample.pressure});
   std::vector<double> lengths{made.x, made.y, made.mx, made.my};
   if (made.floor) lengths.push_back(*made.floor);
-  return {made.kind, made.text, made.numbers, made.columns, lengths, made.law, profile, self.multiplied_by};
+  std::optional<PatchTableState> table;
+  if (made.table) table = table_state_of(*made.table);
+  return {made.kind, made.text, made.numbers, made.columns, lengths, made.law, profile, self.multiplied_by, table};
 }
 
 PyPatch patch_of(const PatchState& state) {
-  const auto& [kind, text, numbers, columns, lengths, law, profile, multiplied_by] = state;
+  const auto& [kind, text, numbers, columns, lengths, law, profile, multiplied_by, table] = state;
   cli::PatchArgument made{.kind = kind,
                           .text = text,
                           .numbers = numbers,
@@ -182,6 +210,7 @@ PyPatch patch_of(const PatchState& state) {
                           .my = lengths.at(3)};
   if (lengths.size() > 4) made.floor = lengths[4];
   for (std::size_t i = 0; i + 1 < profile.size(); i += 2) made.profile.push_back({profile[i], profile[i + 1]});
+  if (table) made.table = patch_table_of(*table);
   PyPatch patch(std::move(made));
   for (const auto& [mx, my] : multiplied_by) patch = patch.orthotropic(mx, my);
   return patch;
@@ -205,26 +234,9 @@ void add_patch_tables(nb::module_& module) {
       ">>> table.checked_error <= 1e-3, table.nbytes <= 2**21\n"
       "(True, True)\n");
   copies_are_itself(type);
-  using State = std::tuple<std::string, int, std::vector<double>, nb::bytes>;
-  type.def("__getstate__",
-           [](const PyPatchTable& self) -> State {
-             const PatchTableContents contents = self.table().contents();
-             std::vector<double> numbers;
-             for (const auto& [name, number] : numbers_of(contents)) numbers.push_back(*number);
-             return {contents.name, contents.cells, numbers,
-                     nb::bytes(contents.nodes.data(), contents.nodes.size() * sizeof(PatchTableContents::Node))};
-           })
-      .def("__setstate__", [](PyPatchTable& self, const State& state) {
-        const auto& [name, cells, numbers, nodes] = state;
-        PatchTableContents contents;
-        contents.name = name;
-        contents.cells = cells;
-        std::size_t i = 0;
-        for (const auto& [key, number] : numbers_of(contents)) *number = numbers.at(i++);
-        contents.nodes.resize(nodes.size() / sizeof(PatchTableContents::Node));
-        std::memcpy(contents.nodes.data(), nodes.data(), nodes.size());
-        new (&self) PyPatchTable(PatchTable(std::move(contents)));
-      });
+  type.def("__getstate__", [](const PyPatchTable& self) { return table_state_of(self.table()); })
+      .def("__setstate__",
+           [](PyPatchTable& self, const PatchTableState& state) { new (&self) PyPatchTable(patch_table_of(state)); });
   define<PyPatchTable*>(
       type, "def __init__(self, patch: str | Patch, tolerance: float = 0.001) -> None",
       [](PyPatchTable* self, const BoundArguments& given) {

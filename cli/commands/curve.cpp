@@ -30,6 +30,7 @@ class Curve final : public Subcommand {
 
   void run(const Results& results) override {
     results.messages->say(law_->remarks());
+    results.warn_idle({{"--points", half_spaces_.has_value()}}, "--half-spaces");
     if (half_spaces_) return write_half_spaces(results, half_spaces(Patch::ellipse(law_, 1.0, 1.0), *half_spaces_));
     Rows rows(results, {"c", "force", "moment", "x", "y"});
     const double moment_ratio = law_->moment_ratio();

@@ -7,6 +7,7 @@
 #include "cli/io/table_writer.hpp"
 
 #include "limitcurve/export/header.hpp"
+#include "limitcurve/export/single_precision.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
@@ -68,10 +69,16 @@ units of mu P, and of the moment in units of the largest moment), and bytes.)",
       throw std::runtime_error("table of " + table.law_name() + " in single precision: choose a --tolerance of " +
                                format_number(least) + " or more");
     }
-    AtomicFile::write(file_, text_of(table));
+    const limitcurve::Table asked({table.law_name(), tolerance, table.checked_error(), table.profile_error()},
+                                  table.cells());
+    AtomicFile::write(file_, text_of(asked));
     Rows rows(results, {"law", "tolerance", "checked_error", "nodes", "bytes", "profile_error"});
-    rows.row(table.law_name(), tolerance, error, table.cell_count(), table.bytes() / (is_single_ ? 2 : 1),
-             table.profile_error());
+    const TableCells cells = is_single_ ? limitcurve::table::in_single_precision(table.cells()) : table.cells();
+    const std::size_t nodes = cells.inside.size() + cells.outside.size();
+    // A header's cells are rows of numbers, without an index.
+    const std::size_t bytes = nodes * (static_cast<std::size_t>(table.degree()) + 2) * (is_single_ ? 4 : 8);
+    const bool is_header = file_.ends_with(".h") || file_.ends_with(".hpp");
+    rows.row(table.law_name(), tolerance, error, nodes, is_header ? bytes : table.bytes(), table.profile_error());
     rows.finish();
   }
 

@@ -156,12 +156,19 @@ Numbers of one engine describe one contact; a parameter that comes again begins 
     if (law_ == nullptr && !moment_.mu_r)
       throw std::invalid_argument("say what to translate: --law or --mu-r, or --patch, or --read");
     moment_.check(law_, *results.messages);
-    if (moment_.mu_r && frictions_.size() > 1)
-      throw std::invalid_argument(
-          "--mu-r was measured at one --mu: give one value of --mu, or --radius-law instead of --mu-r");
+    // The moment itself, if it was measured.
+    const std::string measured = moment_.mu_r                        ? "--mu-r"
+                                 : moment_.radius_law->sets_moment() ? "--radius-law " + moment_.radius_law->text()
+                                                                     : "";
+    if (!measured.empty() && frictions_.size() > 1)
+      throw std::invalid_argument(measured +
+                                  " was measured at one --mu: give one value of --mu, or the radii by "
+                                  "--radius-law");
+    if (moment_.mu_r == 0.0)
+      throw std::invalid_argument("--mu-r: got 0, expected > 0, because without a moment an engine needs --mu alone");
     if (!load_)
       throw std::invalid_argument("--load is required, the normal load [N] at which the engine gets the exact limits");
-    note_profile_error(law_, *results.messages);
+    if (measured.empty()) note_profile_error(law_, *results.messages);
     if (!loads_.empty() && (loads_.size() != 2 || loads_[0] > loads_[1])) {
       throw std::invalid_argument("--loads: give two numbers LOW,HIGH, the smaller first");
     }

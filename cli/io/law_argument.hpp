@@ -35,6 +35,8 @@ class RadiusLawArgument {
   [[nodiscard]] RadiusLaw of(double mu, const Law& law) const;
   /// The same from the law's m₀.
   [[nodiscard]] RadiusLaw of(double mu, double moment_ratio) const;
+  /// Whether it is of measured moments.
+  [[nodiscard]] bool sets_moment() const noexcept { return !law_; }
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
   [[nodiscard]] const std::vector<LoadSample>& rows() const noexcept { return rows_; }
 

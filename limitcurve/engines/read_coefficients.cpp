@@ -66,10 +66,7 @@ CoefficientMeaning meaning_of(const std::string& engine, const Facts& row, doubl
   CoefficientMeaning meaning{engine, row.at("parameter"), unknown, unknown, note_of(row, value)};
   const Formula* const formula = find_formula(row.at("formula"));
   if (formula == nullptr || formula->moment == nullptr || std::isnan(formula->moment(value, 1.0))) return meaning;
-  const auto other = [&](const char* column) {
-    return row.at(column).empty() ? nullptr : &find_coefficient(meaning.engine, row.at(column));
-  };
-  const Facts* const times = other("times");
+  const Facts* const times = row.at("times").empty() ? nullptr : &find_coefficient(meaning.engine, row.at("times"));
   const double friction = friction_in(contact, times, mu);
   double factor = friction;
   if (times != nullptr && !is_friction(*times)) {
@@ -78,15 +75,19 @@ CoefficientMeaning meaning_of(const std::string& engine, const Facts& row, doubl
     if (!is_given) meaning.note += "; with " + row.at("times") + " " + times->at("default") + ", the default";
   }
   meaning.moment_per_load = formula->moment(value, factor);
-  if (const Facts* const needed = other("needs");
-      needed != nullptr) {  // a switch: its formula is the number that turns it on
-    const double least = parse_number(needed->at("formula")).value();
-    const std::string condition = row.at("needs") + " " + needed->at("formula");
-    if (contact.contains(needed)) {
-      if (contact.at(needed) < least) meaning.moment_per_load = 0.0, meaning.note += "; needs " + condition;
-    } else if (parse_number(needed->at("default")).value() < least) {
-      meaning.note += "; if " + condition + ": the default is " + needed->at("default");
-    }
+  for (const std::string& need : words(row.at("needs"))) {
+    const bool must_be_off = need.starts_with('!');
+    const std::string name = need.substr(must_be_off ? 1 : 0);
+    const Facts& needed = find_coefficient(meaning.engine, name);
+    const std::string least = must_be_off ? "0" : needed.at("formula");  // of a switch: the number for on
+    const auto given = contact.find(&needed);
+    const double number = given != contact.end() ? given->second : parse_number(needed.at("default")).value();
+    if (must_be_off ? number == 0.0 : number >= parse_number(least).value()) continue;
+    // Without its own number a switch counts as on.
+    const bool is_off = must_be_off || given != contact.end();
+    if (is_off) meaning.moment_per_load = 0.0;
+    meaning.note += (is_off ? "; needs " : "; if ") + name + " " + least;
+    if (given == contact.end()) meaning.note += ": the default is " + needed.at("default");
   }
   if (meaning.moment_per_load == 0.0) {
     meaning.radius = 0.0;

@@ -195,10 +195,10 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_wrench(double slide, double spi
 /// method in a bracket.
 LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_project(double force, double moment, double chi, double *gauge) {
   const int on_ray = !(chi > 0.0);
-  const double far = @FAR@ * (force > moment ? force : moment); /* from afar only the direction counts */
-  if (far > 1.0) {
-    force /= far;
-    moment /= far;
+  const double scale = @FAR@ * (force > moment ? force : moment); /* from afar only the direction counts */
+  if (scale > 1.0) {
+    force /= scale;
+    moment /= scale;
   }
   const int outside = on_ray ? force * @NAME@_rim.moment > moment * @NAME@_rim.force
                              : force - @NAME@_rim.force > chi * (moment - @NAME@_rim.moment);
@@ -227,7 +227,7 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_project(double force, double mo
     x = next > low && next < high ? next : 0.5 * (low + high);
     jet = @NAME@_evaluate(outside, x);
   }
-  *gauge = (trailing + x * leading) / (jet.trailing + x * jet.leading) * (far > 1.0 ? far : 1.0);
+  *gauge = (trailing + x * leading) / (jet.trailing + x * jet.leading) * (scale > 1.0 ? scale : 1.0);
   const @NAME@_friction found = {outside ? jet.trailing : jet.leading, outside ? jet.leading : jet.trailing};
   return found;
 }
@@ -274,8 +274,10 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_closest_point(double force, dou
   put("@ROUNDING@", is_single ? "5e-7f" : "1e-15");
   put("@FAR@", is_single ? "1e-14f" : "1e-32");
   put("@ONSET@", is_single ? "1.0000038f" : "1.0 + 1e-12");
-  put("@TOLERANCE@", literal(is_single ? single_precision_error(table) : table.tolerance()));
-  put("@CHECKED@", is_single ? literal(single_precision_error(table) * (1 + 1e-7)) : literal(table.checked_error()));
+  // In float a little more, so that its rounding is above the error.
+  const double error = is_single ? single_precision_error(table) * (1 + 1e-7) : table.checked_error();
+  put("@TOLERANCE@", literal(is_single ? std::max(table.tolerance(), error) : table.tolerance()));
+  put("@CHECKED@", literal(error));
   put("@PROFILE@", literal(table.profile_error()));
   put("@RATIO@", literal(table.moment_ratio()));
   put("@RIM@", literal(table.rim().force) + ", " + literal(table.rim().moment));

@@ -133,6 +133,7 @@ class Row:
     metre: float = 1.0  # length of the file's unit
     acts: tuple = ()
     idle: bool = False  # it would act in contacts that have no torsion
+    names: tuple = ()  # what else the number belongs to
 
 
 COLUMNS = list(Row.__dataclass_fields__)[:11]
@@ -148,14 +149,21 @@ class Rows:
         self.found, self.notes, self.engine = [], [], "the engine"
 
     def wanted(self, engine, mu):
-        table = translate(mu=mu, engine=engine, **self.how)
+        try:
+            table = translate(mu=mu, engine=engine, **self.how)
+        except ValueError as error:  # a patch with two frictions has no numbers for an engine with one
+            why = str(error).partition("engine: ")[2]
+            if not why:
+                raise
+            self.notes.append(why)
+            return {}
         return dict(zip(table["parameter"], table["value"]))
 
     def not_read(self, at, text):
         self.notes.append(f"{at.file}:{at.line}: {text}")
 
     def add(self, at, what, parameter, value, mu=None, others=(), verdict="", note="", count=1, metre=1.0, acts=(),
-            idle=False):
+            idle=False, names=()):
         """`at`: the element that states the number. Without a verdict its moment, or those of `acts`, the numbers that
         act in the scene, are compared with the contact's."""
         mu = self.mu or (1.0 if mu is None else mu)
@@ -167,12 +175,17 @@ class Rows:
                 *(f"{engine}.{other}" for other in (*others, f"friction={mu!r}")))
         self.found.append(
             Row(at.file, at.line, what, count, parameter, value, verdict=verdict, note=note, mu=mu or 1.0, read=read,
-                metre=metre, acts=acts, idle=idle))
+                metre=metre, acts=acts, idle=idle, names=names))
 
     def finish(self, only=""):
-        kept = [row for row in self.found if re.search(only, row.what)]
+        kept = []
+        for row in self.found:
+            matching = [name for name in (row.what, *row.names) if re.search(only, name)]
+            if matching:
+                row.what = matching[0]
+                kept.append(row)
         if self.found and not kept:
-            names = ", ".join(dict.fromkeys(row.what for row in self.found))
+            names = ", ".join(dict.fromkeys(name for row in self.found for name in (row.what, *row.names)))
             raise ValueError(f"--only: got '{getattr(only, 'pattern', only)}', expected a part of one of: {names}")
         # One call for each parameter: a number of a parameter that was given already begins another contact.
         for parameter in {row.parameter for row in kept}:
@@ -189,8 +202,11 @@ class Rows:
         acts = [float(moment_per_load) / (row.value or 1.0) * number for number in row.acts]
         row.moment_per_load = own
         if self.how and not math.isnan(own):
-            name = str(parameter).replace("pair.friction[2]", "geom.friction[1]")
-            row.write = self.wanted(str(engine), row.mu).get(name, math.nan) / row.metre
+            wanted = self.wanted(str(engine), row.mu)
+            # The same number, of a pair if friction along x and y differs.
+            same = {"geom.friction[1]", "pair.friction[2]"}
+            names = same if parameter in same else {parameter}
+            row.write = next((wanted[name] for name in names if name in wanted), math.nan) / row.metre
         if row.verdict and not acts:
             return
         right = float(self.wanted("ode", row.mu)["surface.rhoN"]) if self.how else math.nan  # moment over load
@@ -391,7 +407,7 @@ def lint_options(root, options, rows):
 
 def lint_geoms(scene, members, kinds, torsion, rows):
     """Geoms that say the same."""
-    element, s = members[0].element, members[0].surface
+    s = members[0].surface
     own = {(geom.body, geom.element.get("name") or "") for geom in members}
     number, meets = s.friction[1], []
     for (condim, priority, contype, conaffinity), numbers in kinds.items():
@@ -427,9 +443,10 @@ def lint_geoms(scene, members, kinds, torsion, rows):
         note += f'; give priority="{s.priority + 1}" or a pair'
     elif number < DEFAULT[1] and s.priority == 0:
         note = f"beside a geom with the default, {DEFAULT[1]}, the larger counts"
-    what = f"geom {element.get('name') or element.get('class') or ''}".strip()
+    what, *names = dict.fromkeys(f"geom {e.get('name') or e.get('class') or ''}".strip()
+                                 for e in (geom.element for geom in members))
     rows.add(s.at or s.condim_at, what, "mujoco.torsional", number, s.friction[0], (), verdict, note, len(members),
-             acts=acts, idle=idle)
+             acts=acts, idle=idle, names=names)
 
 
 def lint_pair(pair, s, geoms_turn, rows):
@@ -494,9 +511,8 @@ class Collision:
         name = f"{link.get('name') or link.get('reference', '')} {element.get('name', '')}"
         self.model, self.what = model, f"collision {name.strip()}".strip()
         self.patch = "use_patch_radius" not in at or at["use_patch_radius"].text.strip().lower() in ("1", "true")
-        self.tag = "patch_radius" if self.patch else "surface_radius"
         self.coefficient = at["coefficient"].numbers()[0] if "coefficient" in at else 1.0
-        self.radius = at[self.tag].numbers()[0] if self.tag in at and not length else 0.0
+        self.radius = at["patch_radius"].numbers()[0] if self.patch and "patch_radius" in at and not length else 0.0
         sliding = ("bullet", "friction") if length else ("ode", "mu")
         sliding = friction and friction.child(*sliding) or link.child("mu1")
         self.mu = rows.mu or (sliding.number() if sliding else 1.0)
@@ -526,30 +542,36 @@ def lint_sdf(root, rows):
 
 
 def lint_patch(one, others, rows):
-    """Of ODE in Gazebo classic."""
-    acts = ()
-    if one.tag not in one.at:
-        one.tag, verdict, note = "coefficient", "no moment", "no radius here: the other surface's counts"
-    elif not one.patch:
-        verdict, note = "note", "lever sqrt(value depth): at 0.1 mm"
-    else:
-        verdict, note = "", f"with coefficient {one.coefficient:g}" + ", the default" * ("coefficient" not in one.at)
+    """Of ODE in Gazebo classic, where the surface radii act unless both surfaces say use_patch_radius."""
+    alike = [other for other in others if one.patch and other.patch]
+    mixed = not one.patch or len(alike) < len(others)
+    beside = [f"coefficient={one.coefficient}"]
+    radii = {*["patch_radius"] * one.patch, *["surface_radius"] * mixed} & one.at.keys()
+    if not radii and "coefficient" in one.at:
+        rows.add(one.at["coefficient"], one.what, "gazebo.coefficient", one.coefficient, one.mu, verdict="no moment",
+                 note="no radius here: the other surface's counts")
+    if "patch_radius" in radii:
+        note = f"with coefficient {one.coefficient:g}" + ", the default" * ("coefficient" not in one.at)
         note += f"; write mu, {one.mu:g}" * (one.coefficient != one.mu)
         # As a radius with this coefficient.
-        acts = {max(one.radius, other.radius) * min(1, other.coefficient / (one.coefficient or math.inf)) * other.patch
-                for other in others if one.radius or other.radius}
+        acts = {max(one.radius, other.radius) * min(1, other.coefficient / (one.coefficient or math.inf))
+                for other in alike if one.radius or other.radius}
         note += "; beside another surface: larger radius, smaller coefficient" * bool(acts - {one.radius})
-    if one.tag in one.at:
-        rows.add(one.at[one.tag], one.what, f"gazebo.{one.tag}", one.at[one.tag].numbers()[0], one.mu,
-                 [f"coefficient={one.coefficient}"] * (one.tag != "coefficient"), verdict, note, acts=acts)
+        note += "; beside use_patch_radius false the surface radii act" * mixed
+        rows.add(one.at["patch_radius"], one.what, "gazebo.patch_radius", one.radius, one.mu, beside,
+                 "hidden" * (mixed and not alike), note, acts=acts)
+    if "surface_radius" in radii:
+        note = "lever sqrt(value depth): at 0.1 mm; 1/value of two surfaces adds"
+        rows.add(one.at["surface_radius"], one.what, "gazebo.surface_radius", one.at["surface_radius"].numbers()[0],
+                 one.mu, [*beside, "use_patch_radius=0"], "note", note)
 
 
 def lint_usda(root, rows):
     text, number = Path(root.file).read_text(encoding="utf-8", errors="replace"), r"\s*=\s*([-+]?\.?\d[-+.\deE]*)"
-    unit = re.search(r"^\s*metersPerUnit" + number, text, re.M)
+    unit = re.search(r"^[\s(]*metersPerUnit" + number, text, re.M)
     metre = float(unit[1]) if unit else 0.01
-    frictions = set(re.findall("physics:dynamicFriction" + number, text))
-    mu = float(*frictions) if len(frictions) == 1 else None
+    frictions = set(map(float, re.findall("physics:dynamicFriction" + number, text)))
+    mu = min(frictions) if len(frictions) == 1 else None
     condim = max(map(int, re.findall(r"mjc:condim\s*=\s*(\d)", text)), default=3)
     prim = ""
     for line, row in enumerate(text.splitlines(), 1):
@@ -563,7 +585,7 @@ def lint_usda(root, rows):
         if not found or found[1] not in USD:
             continue
         at.text = re.split("[(#]", row.partition("=")[2])[0]
-        notes = []
+        notes = ["mu 1 assumed, because the materials differ: give --mu"] * (len(frictions) > 1 and not rows.mu)
         if metre != 1:
             notes.append(f"a unit is {metre:g} m" + ", for want of metersPerUnit" * (unit is None))
         if found[1].startswith("newton") and condim < 4:

@@ -71,6 +71,8 @@ def test_patches(way, tmp_path):
         lc.Patch.polygon([0, 1, 0], [0, 0, 1]),
         lc.Patch.image([[1.0, 2], [3, 4]], 0.001).orthotropic(1.5, 1).orthotropic(1, 2)
     ]
+    patches[4].save(tmp_path / "table.csv")
+    patches.append(lc.Patch(f"table:{tmp_path}/table.csv"))
     for file in tmp_path.iterdir():
         file.unlink()
     for patch in patches:

@@ -101,7 +101,10 @@ SCENES = [
      ["note", "dead", "dead"], ["ok", "dead", "dead"]),
     ("larger.sdf", sdf(PATCH, PATCH.replace("0.005", "0.5")), ["note"] * 2, ["hidden", "too large"]),
     ("smaller.sdf", sdf(PATCH, PATCH.replace("0.8", "0.01")), ["note"] * 2, ["hidden", "too small"]),
-    ("both.sdf", sdf(PATCH, "<use_patch_radius>0</use_patch_radius>"), ["no moment"], ["hidden"]),
+    ("both.sdf", sdf(PATCH, "<use_patch_radius>0</use_patch_radius>"), ["hidden"], ["hidden"]),
+    ("surfaces.sdf", sdf(PATCH + "<surface_radius>0.3</surface_radius>",
+                         "<use_patch_radius>0</use_patch_radius><surface_radius>0.3</surface_radius>", PATCH),
+     ["note"] * 4, ["ok", "note", "note", "ok"]),
     ("neutral.sdf", sdf(PATCH, "<patch_radius>0</patch_radius>", ""), ["note"] * 2, ["ok"] * 2),
     ("misplaced.sdf", sdf("").replace("</ode>", f"{TORSIONAL}</ode>"), ["dead"] * 2, ["dead"] * 2),
     ("nowhere.urdf", f'<robot><link name="tip"/><gazebo reference="tap"><collision><surface><friction>{TORSIONAL}'
@@ -118,6 +121,8 @@ SCENES = [
     ("newton.usda", usda("float newton:torsionalFriction = 0.25"), ["note"], ["too large"]),
     ("physx.usda", usda("float physxCollision:minTorsionalPatchRadius = 0.3",
                         "metersPerUnit = 0.01"), ["note"], ["ok"]),
+    ("one_line.usda", usda("float physxCollision:minTorsionalPatchRadius = 0.003").replace("(\n    ", "( "),
+     ["note"], ["ok"]),
 ]
 
 
@@ -155,6 +160,22 @@ def test_meaning_and_what_to_write(run):
     assert float(row["moment_per_load"]) == pytest.approx(1.25 * 0.002356, rel=1e-3) and "write mu, 0.8" in row["note"]
     (row,), _, _ = run({"a.sdf": sdf("<coefficient>10</coefficient><patch_radius>0.02</patch_radius>")})
     assert float(row["moment_per_load"]) == pytest.approx(0.11781, rel=1e-4)
+    found = run({"a.sdf": sdf("<use_patch_radius>0</use_patch_radius><surface_radius>0.04</surface_radius>")})[0]
+    assert float(found[0]["moment_per_load"]) == pytest.approx(3 * np.pi / 16 * 0.002, rel=1e-5)
+    two = usda("float newton:torsionalFriction = 0.002\n    float physics:dynamicFriction = {}\n    int mjc:condim = 4")
+    for other, mu, note in (("0.80", 0.8, ""), ("0.4", 1.0, "mu 1 assumed")):
+        (row,), _, _ = run({"a.usda": two.replace("{}", other)})
+        assert float(row["radius"]) == pytest.approx(0.002 / mu * 16 / (3 * np.pi), rel=1e-5)
+        assert row["note"].startswith(note) and bool(row["note"]) == bool(note)
+    patch = ["--patch", "rectangle:x=0.02,y=0.01,mx=0.8,my=1.2"]  # of two frictions: for MuJoCo only a pair has them
+    (row,), _, _ = run({"a.xml": mjcf(tip("0.8 0.0024", FIRST))}, *patch)
+    assert float(row["write"]) > 0
+    (row,), told, _ = run({"a.urdf": urdf('<spinning_friction value="0.0024"/>')}, *patch)
+    assert row["write"] == "" and "bullet has one friction coefficient" in told
+    scene = mjcf("".join(BALL.format(name, 'class="pad"') for name in ("left", "right")),
+                 '<default><default class="pad"><geom condim="4" friction="1 0.1"/></default></default>')
+    (row,), _, _ = run({"a.xml": scene}, "--only", "right")
+    assert (row["what"], row["count"]) == ("geom right", "2")
     scene = mjcf(
         tip("0.8 0.1") + BALL.format("foot", 'friction="1 0.1" condim="4"'))
     (row,), _, _ = run({"a.xml": scene}, *FINGERTIP, "--only", "tip")

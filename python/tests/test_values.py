@@ -30,6 +30,22 @@ def test_results_have_the_shape_of_c(c):
                                           for one in each]) and np.array_equal(m.ravel(), [one[1] for one in each])
 
 
+@pytest.mark.parametrize("make", [lc.ellipse, lc.box])
+def test_measured_moments_are_the_limits_of_any_curve(make, tmp_path):
+    curve = make(0.9, 0.5)
+    (tmp_path / "m.csv").write_text("load,moment\n0.5,0.0015\n1,0.003\n2,0.006\n")
+    given = {"mu": 0.6, "radius_law": f"moments:{tmp_path}/m.csv"}
+    assert curve.load_to_hold(0, 0.003, **given) == pytest.approx(1)
+    finger, batch = lc.SoftFinger(curve, **given, stiffness=1000), lc.Batch(curve, 1, **given, stiffness=1000)
+    changed = lc.SoftFinger(curve, stiffness=1000)
+    changed.change(**given, stiffness=1000)
+    for twist in (0.0, 1.0):
+        for one in (finger, changed):
+            one.update((0, 0, 0), (0, 0, 1), 0.001, twist)
+        batch.update(0.0, 0.0, 0.001, twist)
+    assert [-finger.output.moment, -changed.output.moment, -batch.moment[0]] == pytest.approx([0.003] * 3)
+
+
 def test_single_precision_in_single_precision_out():
     f, m = lc.Law("hertz").evaluate(np.linspace(0, 2, 5, dtype=np.float32))
     assert f.dtype == m.dtype == np.float32

@@ -128,6 +128,11 @@ static void fingers(void) {
   held.mu_r = 0.6 * 0.004; /* as measured */
   WORKS(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed));
   CHECK(fabs(needed[1] - 2) < 1e-5);
+  WORKS(limitcurve_finger_new(table, &held, LIMITCURVE_CLOSEST_POINT, &finger));
+  held.mu_r = NAN; /* the finger has no radius law to keep */
+  REFUSED(limitcurve_finger_change(finger, &held), "radius_law: got NULL");
+  limitcurve_finger_free(finger);
+  held.mu_r = 0.6 * 0.004;
   held.radius_law = zeros.radius_law; /* beside the default one */
   REFUSED(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed), "radius_law");
   memset(&zeros, 0, sizeof zeros);
@@ -148,6 +153,8 @@ static void patches(void) {
   WORKS(limitcurve_finger_update(finger, &contact, 1e-3, &output));
   CHECK(output.state == LIMITCURVE_STICK && output.load == 2.0);
   limitcurve_finger_free(finger);
+  parameters.mu_r = 0.002;
+  REFUSED(limitcurve_finger_new_patch(patch, &parameters, 0, &finger), "absent with a patch");
   const double twist[3] = {0.01, 0, 0};
   double wrench[3], power, bound;
   WORKS(limitcurve_patch_wrench(patch, twist, 1, wrench, &power, &bound));

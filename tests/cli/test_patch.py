@@ -100,6 +100,8 @@ class Patch(PatchCase):
         self.assertEqual(header(*call, "14"), "kind,fx,fy,moment,share")
         found = rows(*call, "20")
         self.assertEqual([sum(row["kind"] == kind for row in found) for kind in ("row", "vertex")], [14, 18])
+        self.assertIn("--points has no effect",
+                      run("curve", "--law", "hertz", "--half-spaces", "14", "--points", "5").stderr)
         self.assertEqual(rows("curve", "--law", "hertz", "--half-spaces", "14"),
                          rows("patch", "--patch", "ellipse:law=hertz,a=1,b=1", "--half-spaces", "14"))
 

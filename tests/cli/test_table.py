@@ -34,6 +34,19 @@ class Tables(CommandLineTest):
         rows("table", "--law", "hertz", "--tolerance", 1e-4, "--name", "left_thumb", "-o", path)
         self.assertIn("left_thumb_wrench(double slide, double spin)", path.read_text())
 
+    def test_a_header_and_its_row_state_what_it_holds(self):
+        for real, size in (("double", 8), ("float", 4)):
+            path = self.directory / "thumb.h"
+            facts, = rows("table", "--law", "hertz", "--tolerance", 1e-6, "--real", real, "--name", "thumb", "-o", path)
+            text = path.read_text()
+            sides = re.findall(r"thumb_(?:in|out)side\[(\d+)\]\[(\d+)\]", text)
+            self.assertEqual(facts["nodes"], sum(int(count) for count, _ in sides))
+            self.assertEqual(facts["bytes"], size * sum(int(count) * int(columns) for count, columns in sides))
+            tolerance, checked = (float(re.search(rf"thumb_{name} = ([-+.\de]+)", text)[1])
+                                  for name in ("tolerance", "checked_error"))
+            self.assertEqual(tolerance, 1e-6)
+            self.assertLessEqual(checked, tolerance)
+
     def test_a_measured_profile_states_its_own_error(self):
         rim = [(i / 20, math.sqrt(1 - (i / 20) ** 2)) for i in range(21)]
         profile = self.csv("profile.csv", "radius,pressure", rim)

@@ -132,6 +132,14 @@ class Translate(CommandLineTest):
             self.assertEqual(found["parameter"], known["parameter"])
             self.assert_close(found["value"], known["value"], 1e-14)
 
+    def test_the_error_of_a_pressure_is_not_that_of_a_measured_moment(self):
+        profile = self.csv("profile.csv", "radius,pressure", [(0, 1), (1, 0.7), (2, 0.3), (3, 0)])
+        moments = self.csv("moments.csv", "load,moment", [(1, 0.001), (2, 0.0022)])
+        call = ["translate", "--law", f"samples:{profile},rim=3", "--mu", "0.6", "--load", "2"]
+        for moment in (["--mu-r", "0.002"], ["--radius-law", f"moments:{moments}"]):
+            self.assertNotIn("its largest moment may be off", run(*call, *moment).stderr)
+        self.assertIn("its largest moment may be off", run(*call, "--radius-law", "constant:a=0.005").stderr)
+
     def test_explained_on_standard_error(self):
         done = self.succeed(*self.CONTACT, "--explain")
         self.assertEqual(done.stdout, run(*self.CONTACT).stdout)

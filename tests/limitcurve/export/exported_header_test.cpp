@@ -50,7 +50,8 @@ TEST(ExportedHeader, OfManyTablesLiveInOneProgram) {
   const std::vector<Table> tables{Table::build(hertz(), 1e-2), Table::build(hertz(), 1e-6),
                                   Table::build(power(0.5), 1e-2), Table::build(power(-0.5), 1e-2)};
   std::ofstream all(folder / "all.cpp");
-  all << "#include <stdio.h>\n";
+  all << "#include <stdio.h>\n#define near\n#define far\n#define small char\n#define interface struct\n"
+         "#define min(a, b)\n#define max(a, b)\n";  // as <windows.h> does
   std::string mains;
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const std::string number = std::to_string(i);
