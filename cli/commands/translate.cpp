@@ -164,8 +164,6 @@ Numbers of one engine describe one contact; a parameter that comes again begins 
       throw std::invalid_argument(measured +
                                   " was measured at one --mu: give one value of --mu, or the radii by "
                                   "--radius-law");
-    if (moment_.mu_r == 0.0)
-      throw std::invalid_argument("--mu-r: got 0, expected > 0, because without a moment an engine needs --mu alone");
     if (!load_)
       throw std::invalid_argument("--load is required, the normal load [N] at which the engine gets the exact limits");
     if (measured.empty()) note_profile_error(law_, *results.messages);
