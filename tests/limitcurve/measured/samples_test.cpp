@@ -339,18 +339,42 @@ TEST(Samples, TheLoadToHoldIsOffByNoMoreThanItsStatedError) {
     for (const ContactFriction& contact : {ContactFriction{.mu = 0.6, .radius_law = RadiusLaw::constant(0.006)},
                                            ContactFriction{.mu = 0.6, .radius_law = RadiusLaw::power(0.005, 0.3)},
                                            ContactFriction{.mu = 0.6, .mu_r = 0.002, .gamma = 0.25}}) {
-      for (const double moment : {0.0, 1e-4, 1e-3, 2e-3, 1e-2}) {
-        const double load = load_to_hold(curve, contact, 1.0, moment);
-        const double error = hold_error(curve, *law, contact, load, 1.0, moment);
-        EXPECT_NEAR(load, load_to_hold(truth, contact, 1.0, moment), error + 1e-12 * load) << count << ' ' << moment;
+      for (const auto& [force, moment] :
+           {std::pair(1.0, 0.0), {1.0, 1e-4}, {1.0, 1e-3}, {1.0, 2e-3}, {1.0, 1e-2}, {0.1, 1e-2}, {0.0, 1e-2}}) {
+        const double load = load_to_hold(curve, contact, force, moment);
+        const double error = hold_error(curve, *law, contact, load, force, moment);
+        EXPECT_NEAR(load, load_to_hold(truth, contact, force, moment), error + 1e-12 * load) << count << ' ' << moment;
         EXPECT_LT(error, 0.2 * load);
-        if (moment == 0.0) {
+        if (moment == 0.0 || (force == 0.0 && contact.mu_r)) {
           EXPECT_LT(error, 1e-12);
         }
       }
     }
   }
   EXPECT_EQ(hold_error(truth, *hertz(), {.mu = 0.6, .radius_law = RadiusLaw::constant(0.006)}, 2.0, 1.0, 1e-3), 0.0);
+  // Of an ellipse P² = (F/μ)² + (M/μa m₀)²: only m₀ matters, and with measured moments nothing of the law.
+  const Law law = samples(sampled(hertz_pressure, 12, 0.0), "hertz.csv");
+  const auto [spin, spin_error, slope] = law->evaluate(0.0);
+  const Ellipse ellipse = Ellipse::through_intercepts(spin.moment);
+  const std::array<LoadSample, 3> moments{{{0.5, 0.001}, {1.0, 0.002}, {4.0, 0.008}}};
+  const ContactFriction measured{.mu = 0.6, .mu_r = 0.002};
+  const ContactFriction listed{.mu = 0.6, .radius_law = RadiusLaw::of_moments(moments, 0.6, spin.moment)};
+  for (const double moment : {2e-4, 2e-3}) {
+    const ContactFriction sized{.mu = 0.6, .radius_law = RadiusLaw::constant(0.006)};
+    const double load = load_to_hold(ellipse, sized, 1.0, moment);
+    const double spinning = moment / (0.6 * 0.006 * spin.moment);
+    const double expected = spinning * spinning / load * spin_error.moment / spin.moment;
+    EXPECT_NEAR(hold_error(ellipse, *law, sized, load, 1.0, moment, true), expected, 1e-12);
+    for (const ContactFriction& contact : {measured, listed}) {
+      const double held = load_to_hold(ellipse, contact, 1.0, moment);
+      EXPECT_EQ(hold_error(ellipse, *law, contact, held, 1.0, moment, true), 0.0);
+      EXPECT_EQ(hold_error(box(1.0, spin.moment), *law, contact, held, 1.0, moment, true), 0.0);
+    }
+    const ExactCurve curve(law);
+    const double held = load_to_hold(curve, measured, 1.0, moment);
+    EXPECT_NEAR(hold_error(curve, *law, listed, held, 1.0, moment),
+                hold_error(curve, *law, measured, held, 1.0, moment), 1e-12);
+  }
 }
 
 TEST(Samples, TheInterpolantDoesNotOvershoot) {
