@@ -2,6 +2,7 @@
 #include "limitcurve/measured/samples.hpp"
 #include "limitcurve/measured/hold_error.hpp"
 #include "limitcurve/measured/own_radii.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
 #include "tests/function_law.hpp"
 #include "tests/limitcurve/counted_law.hpp"
 #include "tests/limitcurve/table_errors.hpp"
@@ -422,6 +423,36 @@ TEST(Samples, OfManyPiecesHaveTheWrenchThatEachPieceAloneGives) {
       EXPECT_TRUE(test::are_near_in_relative_terms(together.wrench, alone.wrench, bound)) << count << ' ' << s;
       EXPECT_NEAR(together.force_slope, alone.force_slope, 1e-13 * alone.force_slope) << count << ' ' << s;
       EXPECT_TRUE(test::are_near_in_relative_terms(law->forces(s), alone.wrench, 1e-14)) << count << ' ' << s;
+    }
+  }
+}
+
+// Nearly all load may lie on a speck of the disc, alone or beside a little pressure everywhere.
+TEST(Samples, ARimFarOutOnlyScalesTheUnitOfLength) {
+  const std::array<PressureSample, 7> profile{
+      {{0, 1}, {1, 0.968}, {2, 0.866}, {3, 0.661}, {3.5, 0.484}, {3.8, 0.312}, {4, 0}}};
+  const Law law = samples(profile, "hertz.csv", 4.0);
+  for (const double rim : {40.0, 400.0, 4000.0}) {
+    const Law wide = samples(profile, "hertz.csv", rim);
+    for (const double c : {0.0, 2.0, 7.9, 40.0, 1e4}) {
+      const UnitWrench near = law->evaluate(c / 4.0).wrench;
+      EXPECT_LE(test::apart(wide->evaluate(c / rim).wrench, UnitWrench{near.force, near.moment * 4.0 / rim}), 1e-14)
+          << rim << ' ' << c;
+    }
+  }
+  // A disc or a ring narrower than any sample of it: its wrench is that of one radius.
+  for (const double width : {1e-5, 1e-8}) {
+    for (const double elsewhere : {0.0, 1e-30}) {
+      for (const double place : {0.0, 4.0}) {
+        std::vector<PressureSample> rows{{0, place > 0.0 ? elsewhere : 1.0}};
+        if (place > 0.0) rows.insert(rows.end(), {{place, elsewhere}, {place, 1.0}});
+        rows.insert(rows.end(), {{place + width, 1.0}, {place + 2.0 * width, 1.0}, {place + 2.0 * width, elsewhere}});
+        rows.insert(rows.end(), {{6.0, elsewhere}, {8.0, 0.0}});
+        const Law speck = samples(rows, "speck.csv", 8.0);
+        for (const double s : {0.6, 2.0, 100.0})
+          EXPECT_LE(test::apart(speck->evaluate(s).wrench, evaluators::ring_wrench((place + width) / 8.0, s)), width)
+              << width << ' ' << elsewhere << ' ' << place << ' ' << s;
+      }
     }
   }
 }
