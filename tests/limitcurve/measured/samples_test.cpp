@@ -72,6 +72,15 @@ TEST(Samples, RowsWithoutPressureAtTheEndAreNoContact) {
   const std::vector<std::vector<PressureSample>> none{{{0, 0}, {1, 0}, {2, 0}, {3, 0}},
                                                       {{0, 1}, {0, 0}, {1, 0}, {2, 0}}};
   for (const auto& one : none) EXPECT_THROW(samples(one, "none.csv"), std::invalid_argument);
+  // Up to the first radius the pressure is that of its first sample: a disc, whose rim may be named farther out.
+  const std::vector<PressureSample> step{{4.0, 1.0}, {4.0, 0.0}, {6.0, 0.0}, {8.0, 0.0}};
+  EXPECT_EQ(samples(step, "step.csv")->rim(), 4.0);
+  for (const double rim : {4.0, 8.0}) {
+    const auto [wrench, error, slope] = samples(step, "step.csv", rim)->evaluate(0.7);
+    const WrenchEstimate disc = uniform()->evaluate(0.7 * rim / 4.0);
+    EXPECT_LE(test::apart(wrench, UnitWrench{disc.wrench.force, disc.wrench.moment * 4.0 / rim}), 1e-14) << rim;
+    EXPECT_LE(error.force + error.moment, 1e-12) << rim;
+  }
 }
 
 /// p = 1 on b ≤ ρ ≤ 1: the uniform disc less a smaller one, by linearity.
@@ -111,6 +120,14 @@ TEST(Samples, OfAFormulaAreExactWhereTheirRadiiCrowdAtTheRim) {
   };
   EXPECT_LT(worst([](int i) { return std::sin(i * 3.14159265358979324 / (2 * last)); }), 5.1e-13);
   EXPECT_NEAR(worst([](int i) { return static_cast<double>(i) / last; }), 6e-7, 0.3e-7);
+}
+
+// Every second sample has no pressure at all.
+TEST(Samples, ARingOfOneSampleHasAnError) {
+  const auto [wrench, error, slope] =
+      samples(std::array<PressureSample, 7>{{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 5}, {5, 0}, {6, 0}}}, "ring.csv")
+          ->evaluate(0.0);
+  for (const double mean_radius : {4.0, 4.0 + 1.0 / 24.0}) EXPECT_NEAR(wrench.moment, mean_radius / 5.0, error.moment);
 }
 
 TEST(Samples, NoiseEntersTheStatedError) {
