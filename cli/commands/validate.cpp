@@ -43,7 +43,8 @@ constexpr std::array judged_columns = std::to_array<ListedColumn<Judged>>({
     {"max_error", of<&Judged::error, &CurveError::max_error>, "the largest error, of either sign"},
     {"rms_error", of<&Judged::error, &CurveError::rms_error>,
      "root mean square; with --patch over centres of rotation in 128 directions at 121 distances, spaced "
-     "logarithmically from 1e-3 to 1e3 m0 (m0 is the moment of a pure spin over mu P)"},
+     "logarithmically from 1e-3 to 1e3 m0 (m0 is the moment of a pure spin over mu P; of a patch with mx and my, over "
+     "mu P 2 mx my/(mx + my))"},
     {"max_over_estimate", of<&Judged::error, &CurveError::max_over_estimate>,
      "the largest error where the model holds although the finger slips"},
     {"max_under_estimate", of<&Judged::error, &CurveError::max_under_estimate>,

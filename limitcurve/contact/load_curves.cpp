@@ -57,7 +57,7 @@ double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double 
   if (!(moment_ratio >= 0.0 && moment_ratio <= std::numeric_limits<double>::max())) {
     throw out_of_range("moment_ratio", moment_ratio, "1", ">= 0 and finite");
   }
-  const double radius = radius_law.radius(load);
+  const double radius = detail::radius_at(radius_law, load);
   detail::check_limits(mu, load, radius);
   return moment_ratio * mu * load * radius;
 }

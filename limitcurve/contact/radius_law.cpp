@@ -94,7 +94,9 @@ RadiusLaw RadiusLaw::of_moments(std::span<const LoadSample> moments, double mu, 
   std::vector<LoadSample> radii;
   for (const LoadSample& sample : moments)
     radii.push_back({sample.load, sample.value / (moment_ratio * mu * sample.load)});
-  return sampled(radii);
+  RadiusLaw law = sampled(radii);
+  law.is_of_moments_ = true;
+  return law;
 }
 
 RadiusLaw RadiusLaw::of_mu_r(double mu_r, double gamma, double mu, double moment_ratio) {
@@ -104,7 +106,9 @@ RadiusLaw RadiusLaw::of_mu_r(double mu_r, double gamma, double mu, double moment
   if (!(mu > 0.0) && mu_r > 0.0) throw out_of_range("mu_r", mu_r, "m", "0 where mu is 0");
   if (!(gamma >= -0.5 && gamma <= 1.0)) throw out_of_range("gamma", gamma, "1", "-0.5 <= gamma <= 1");
   checked("moment_ratio", moment_ratio, "1");
-  return {mu > 0.0 ? std::clamp(mu_r / (mu * moment_ratio), almost_none, most) : almost_none, gamma};
+  RadiusLaw law(mu > 0.0 ? std::clamp(mu_r / (mu * moment_ratio), almost_none, most) : almost_none, gamma);
+  law.is_of_moments_ = true;
+  return law;
 }
 
 double RadiusLaw::sampled_radius(double load) const noexcept {

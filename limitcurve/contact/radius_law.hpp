@@ -68,6 +68,8 @@ class RadiusLaw {
   /// the two samples around the load.
   [[nodiscard]] double exponent(double load = 1.0) const noexcept;
   [[nodiscard]] bool is_sampled() const noexcept { return stretches_ != nullptr; }
+  /// Whether it was made from moments (`of_moments`, `of_mu_r`), which then hold whatever m₀ is.
+  [[nodiscard]] bool is_of_moments() const noexcept { return is_of_moments_; }
   /// Whether the radius may change with the load. True for every sampled law, even if its radii are all equal.
   [[nodiscard]] bool depends_on_load() const noexcept { return is_sampled() || exponent_ != 0.0; }
   /// Whether the radius may fall while the load grows.
@@ -86,6 +88,7 @@ class RadiusLaw {
 
   double coefficient_;
   double exponent_;
+  bool is_of_moments_ = false;
   std::pair<double, double> sampled_loads_{0.0, std::numeric_limits<double>::infinity()};
   std::shared_ptr<const std::vector<Stretch>> stretches_;  // of a sampled law; shared by its copies
 };

@@ -69,7 +69,7 @@ class CubicPieces {
       const Interval& interval = intervals_[i];
       const auto left = static_cast<Real>(interval.left);
       const auto right = static_cast<Real>(interval.right);
-      if (std::max(left - s, s - right) >= right - left) {
+      if (interval.is_sound && std::max(left - s, s - right) >= right - left) {
         for (const Mass& mass : interval.rule) {
           const auto radius = static_cast<Real>(mass.radius);
           add(kernel(radius, std::fabs(radius - s)), static_cast<Real>(mass.mass));
@@ -105,19 +105,20 @@ class CubicPieces {
   };
   static constexpr std::size_t order = 12;
   /// An interval, followed by those of its two halves down to single pieces; `next` is the first that is not part of
-  /// it.
+  /// it. If rounding spoils the `rule`, as where nearly all load is on a speck, the parts must do.
   struct Interval {
     Extended left;
     Extended right;
     std::size_t piece;
     std::size_t next;
     std::array<Mass, order> rule;
+    bool is_sound;
   };
 
   /// Adds the interval of the pieces [begin, end) and its parts; returns its index.
   std::size_t add_interval(std::size_t begin, std::size_t end);
-  [[nodiscard]] static std::array<Mass, order> gauss_rule(const std::vector<Mass>& masses, Extended middle,
-                                                          Extended half);
+  /// The rule of the masses, and whether it has their sum and their first moment.
+  [[nodiscard]] static std::pair<std::array<Mass, order>, bool> gauss_rule(const std::vector<Mass>& masses);
 
   /// [from, to] with s at an end or outside, by Gauss–Legendre in σ^(1/6), σ = |ρ − s|: a factor σ^α log σ becomes
   /// smooth.

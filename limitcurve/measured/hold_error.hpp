@@ -4,6 +4,7 @@
 #include "../contact/contact_friction.hpp"
 #include "../pressure_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace limitcurve {
@@ -15,21 +16,27 @@ namespace limitcurve {
 /// two of `evaluate`.
 ///
 /// The load is the largest of (F v/μ + M w/(μ a))/H(v, w) over the slips: at the slip where it touches, a change of the
-/// curve enters by δH = v δf + w δm alone (envelope theorem), and by 1/(1 + γω) if the radius grows with the load.
+/// curve enters by δH = v δf + w δm alone (envelope theorem), and by 1/(1 + γω) if the radius grows with the load. An
+/// ellipse or a box has δm = m δm₀/m₀. Measured moments (`RadiusLaw::is_of_moments`) divide m by m₀: of an ellipse or a
+/// box nothing of the law is left, and of the curve δm becomes δm − m δm₀/m₀. As m₀ ≥ m ≥ m₀ − s f for any law, that is
+/// at most s (f + δf)(1 + δm₀/m₀), which is 0 for a pure spin.
 template <class Curve>
 double hold_error(const Curve& curve, const PressureLaw& law, const ContactFriction& contact, double load, double force,
                   double moment, bool intercepts_only = false) {
   if (law.profile_error() == 0.0 || !(load > 0.0 && std::isfinite(load))) return 0.0;
   const RadiusLaw radius_law = detail::radius_law_of(curve, contact);
+  if (intercepts_only && radius_law.is_of_moments()) return 0.0;
   const double limit = contact.mu * load;
   const auto [touched, normal] =
       curve.along({std::fabs(force) / limit, std::fabs(moment) / (limit * radius_law.radius(load))});
   UnitWrench error{};
   if (!intercepts_only) error = law.evaluate(normal.cor()).error;
-  // A measured μ_r scales the moments by 1/m₀.
-  if (intercepts_only || contact.mu_r) {
+  if (intercepts_only || radius_law.is_of_moments()) {
     const WrenchEstimate spin = law.evaluate(0.0);
-    error.moment += intercepts_only ? spin.error.moment : touched.moment * spin.error.moment / spin.wrench.moment;
+    const double ratio = spin.error.moment / spin.wrench.moment;
+    error.moment += touched.moment * ratio;
+    if (!intercepts_only)
+      error.moment = std::min(error.moment, normal.cor() * (touched.force + error.force) * (1.0 + ratio));
   }
   const double support = normal.slide * touched.force + normal.spin * touched.moment;
   const double growth = 1.0 + radius_law.exponent(load) * normal.spin * touched.moment / support;

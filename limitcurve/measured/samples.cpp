@@ -65,7 +65,9 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     for (const PressureSample& sample : profile) highest = std::max(highest, sample.pressure);
     // If gaps double, an error of order p changes by 2ᵖ − 1 times itself: p ≥ 1, but 1/2 if the pressure is unbounded
     // at the rim.
-    const bool high_rim = profile.back().pressure > 0.5 * highest;
+    const std::size_t last = profile.size() - 1;
+    const bool ends_in_jump = profile[last].radius == profile[last - 1].radius;
+    const bool high_rim = profile[ends_in_jump ? last - 1 : last].pressure > 0.5 * highest;
     const double safety = high_rim ? 6.0 : 3.0;
     const CubicPieces coarse =
         cubics(coarser(profile, high_rim ? 1.0 / 6.0 : 1.0 / 3.0), source, rim_, named_rim > 0.0);
@@ -265,7 +267,7 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
   /// last. A run with a gap wider than the share `widest_share` of it has too little to compare with (if the pressure
   /// may be unbounded at the rim, a sixth: a wide last gap between a nearly constant pressure and a high one is much
   /// the same twice as wide): each gap becomes constant at its higher pressure, as far from it as any profile that does
-  /// not overshoot.
+  /// not overshoot. So does a run that would lose all its pressure, as a ring between two samples.
   static std::vector<PressureSample> coarser(std::span<const PressureSample> profile, double widest_share) {
     constexpr double about_twice = 1.8;
     constexpr double rounding = 1e-9;  // of radii that are meant to be even
@@ -283,13 +285,17 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
         places.push_back(i);
         widest = 0.0;
       }
-      if (widest_of_run > (1.0 + rounding) * widest_share * (profile[last].radius - profile[begin].radius)) {
+      places.back() = begin;
+      const bool loses_all = last > begin && std::none_of(places.begin(), places.end(), [&](std::size_t place) {
+                               return profile[place].pressure > 0.0;
+                             });
+      if (loses_all ||
+          widest_of_run > (1.0 + rounding) * widest_share * (profile[last].radius - profile[begin].radius)) {
         for (std::size_t i = begin; i < last; ++i) {
           const double higher = std::max(profile[i].pressure, profile[i + 1].pressure);
           kept.insert(kept.end(), {{profile[i].radius, higher}, {profile[i + 1].radius, higher}});
         }
       } else {
-        places.back() = begin;
         for (auto place = places.rbegin(); place != places.rend(); ++place) kept.push_back(profile[*place]);
       }
       begin = last + 1;
@@ -374,9 +380,10 @@ Law samples(std::span<const PressureSample> rows, std::string_view source, doubl
   for (std::size_t i = 0; i < profile.size(); ++i) profile[i].pressure = pressures[i];
   // The contact ends where its pressure does: a sensor's line goes on.
   const auto inner = [&]() -> const PressureSample& { return profile[profile.size() - 2]; };
-  while (profile.back().pressure <= 0.0 && inner().pressure <= 0.0 && inner().radius > profile.front().radius)
+  while (profile.size() > 2 && profile.back().pressure <= 0.0 && inner().pressure <= 0.0 && inner().radius > 0.0)
     profile.pop_back();
-  if (profile.back().radius == inner().radius) profile.pop_back();
+  // A jump to 0 is the end. Only to a rim farther out does it tell that there is no pressure.
+  if (profile.back().radius == inner().radius && !(rim > inner().radius)) profile.back() = inner();
   return std::make_shared<SamplesLaw>(profile, source, rim, std::move(notes), rim > 0.0);
 }
 

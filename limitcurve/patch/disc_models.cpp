@@ -174,14 +174,16 @@ class Comparison {
       }
       return std::pair{over - 1.0, 1.0 - under};
     };
-    double low = std::log(length_ / law.moment_ratio()) - 4.0;
-    double high = low + 8.0;
+    // Near 0 logarithms are dense, whatever the patch's size.
+    const double unit = length_ / law.moment_ratio();
+    double low = -4.0;
+    double high = 4.0;
     while (high - low > 1e-14) {
       const double middle = 0.5 * (low + high);
-      const auto [over, under] = over_and_under(std::exp(middle));
+      const auto [over, under] = over_and_under(unit * std::exp(middle));
       (over > under ? high : low) = middle;
     }
-    const double a = std::exp(0.5 * (low + high));
+    const double a = unit * std::exp(0.5 * (low + high));
     const auto [over, under] = over_and_under(a);
     return {a, std::max(over, under)};
   }

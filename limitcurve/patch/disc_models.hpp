@@ -30,10 +30,10 @@ double disc_factor(const Patch& patch);
 /// Discs have `disc_factor` times μ.
 /// `max_over_estimate` and `max_under_estimate` are the largest of H_model/H − 1 and 1 − H_model/H over all twists,
 /// accurate to 1e-6. `rms_error` is the root mean square of H_model/H − 1 over CORs in 128 directions, evenly, at 121
-/// distances from 1e-3 m₀ to 1e3 m₀, evenly in their logarithm. `max_cor_error` is over the same CORs, and farther
-/// ones: the largest |c_model/c − 1| of COR distances where both wrenches have the same direction of force and the same
-/// ratio of moment to force; inf if it has no bound. Throws std::invalid_argument for a patch without moment, all of
-/// whose load is on one point.
+/// distances from 1e-3 to 1e3 m₀/`disc_factor`, evenly in their logarithm. `max_cor_error` is over the same CORs, and
+/// farther ones: the largest |c_model/c − 1| of COR distances where both wrenches have the same direction of force and
+/// the same ratio of moment to force; inf if it has no bound. Throws std::invalid_argument for a patch without moment,
+/// all of whose load is on one point.
 std::vector<DiscModel> disc_models(const Patch& patch);
 
 /// A shape that physics engines give the limits |(F_x/mx, F_y/my)| ≤ μP and |M| ≤ m₀ μP, m₀ = H(0, 0, 1).

@@ -320,7 +320,7 @@ bool PatchTable::Cube::is_convex(const Vector& q) const noexcept {
 }
 
 PatchTable::Cube::Cube(PatchTableContents contents) : facts(std::move(contents)), n(facts.cells) {
-  centre = facts.centre;
+  centre = {facts.factors.y * facts.centre.x, facts.factors.x * facts.centre.y};  // of the stretched patch
   radius = facts.radius;
   moment_ratio = facts.moment_ratio;
   const std::size_t size = nodes_of_a_face(n);
@@ -399,7 +399,8 @@ double PatchTable::Cube::largest_error(const Shape& shape, double enough) const 
 }
 
 PatchTable::PatchTable(std::shared_ptr<const Cube> cube)
-    : Patch(cube, cube->facts.factors.x, cube->facts.factors.y, cube->centre, cube->radius), cube_(std::move(cube)) {}
+    : Patch(cube, cube->facts.factors.x, cube->facts.factors.y, cube->facts.centre, cube->radius),
+      cube_(std::move(cube)) {}
 
 PatchTable::PatchTable(PatchTableContents contents)
     : PatchTable([&] {
@@ -436,7 +437,7 @@ PatchTable PatchTable::build(const Patch& patch, double tolerance, std::string_v
   PatchTableContents contents;
   contents.name = name;
   contents.tolerance = tolerance;
-  contents.centre = shape.centre;
+  contents.centre = patch.centre();
   contents.radius = patch.radius();
   contents.moment_ratio = shape.moment_ratio;
   contents.factors = patch.factors();

@@ -44,9 +44,12 @@ Candidate sufficient_table(const Law& law, const ExactCurve& exact, double toler
 std::string reason(const Candidate& candidate, double cost_of_chosen, double tolerance) {
   if (!candidate.reason.empty()) return candidate.reason;
   if (candidate.error > tolerance) {
-    // As many digits as tell one from the other.
+    // As many digits as tell one from the other. Neighbours may be the same in per cent, but not as they are.
+    constexpr int most_digits = std::numeric_limits<double>::max_digits10;
     const auto said = [](double error, int digits) {
-      return digits == 2 ? in_percent(error) : format_number(100.0 * error, digits) + " %";
+      return digits == 2             ? in_percent(error)
+             : digits <= most_digits ? format_number(100.0 * error, digits) + " %"
+                                     : format_number(error);
     };
     int digits = 2;
     while (said(candidate.error, digits) == said(tolerance, digits)) ++digits;

@@ -72,7 +72,8 @@ TEST(CCurve, IsBentWhenTheRadiusGrows) {
 TEST(MomentCapacity, GrowsAsTheLoadTimesTheRadius) {
   const RadiusLaw radius_law = RadiusLaw::power(0.002, 0.25);
   EXPECT_NEAR(moment_capacity(0.6, radius_law, 0.5, 16.0), 0.6 * 0.5 * 16.0 * 0.002 * 2.0, 1e-17);
-  EXPECT_EQ(moment_capacity(0.6, radius_law, 0.5, 0.0), 0.0);
+  for (const RadiusLaw& any : {radius_law, RadiusLaw::of_mu_r(0.002, -0.3, 0.5, 0.6)})
+    EXPECT_EQ(moment_capacity(0.6, any, 0.5, 0.0), 0.0);
   EXPECT_NEAR(moment_capacity(0.6, radius_law, 0.5, 32.0) / moment_capacity(0.6, radius_law, 0.5, 2.0),
               std::pow(16.0, 1.25), 1e-12);
 }

@@ -2,6 +2,7 @@
 #include "limitcurve/measured/samples.hpp"
 #include "limitcurve/measured/hold_error.hpp"
 #include "limitcurve/measured/own_radii.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
 #include "tests/function_law.hpp"
 #include "tests/limitcurve/counted_law.hpp"
 #include "tests/limitcurve/table_errors.hpp"
@@ -71,6 +72,15 @@ TEST(Samples, RowsWithoutPressureAtTheEndAreNoContact) {
   const std::vector<std::vector<PressureSample>> none{{{0, 0}, {1, 0}, {2, 0}, {3, 0}},
                                                       {{0, 1}, {0, 0}, {1, 0}, {2, 0}}};
   for (const auto& one : none) EXPECT_THROW(samples(one, "none.csv"), std::invalid_argument);
+  // Up to the first radius the pressure is that of its first sample: a disc, whose rim may be named farther out.
+  const std::vector<PressureSample> step{{4.0, 1.0}, {4.0, 0.0}, {6.0, 0.0}, {8.0, 0.0}};
+  EXPECT_EQ(samples(step, "step.csv")->rim(), 4.0);
+  for (const double rim : {4.0, 8.0}) {
+    const auto [wrench, error, slope] = samples(step, "step.csv", rim)->evaluate(0.7);
+    const WrenchEstimate disc = uniform()->evaluate(0.7 * rim / 4.0);
+    EXPECT_LE(test::apart(wrench, UnitWrench{disc.wrench.force, disc.wrench.moment * 4.0 / rim}), 1e-14) << rim;
+    EXPECT_LE(error.force + error.moment, 1e-12) << rim;
+  }
 }
 
 /// p = 1 on b ≤ ρ ≤ 1: the uniform disc less a smaller one, by linearity.
@@ -110,6 +120,14 @@ TEST(Samples, OfAFormulaAreExactWhereTheirRadiiCrowdAtTheRim) {
   };
   EXPECT_LT(worst([](int i) { return std::sin(i * 3.14159265358979324 / (2 * last)); }), 5.1e-13);
   EXPECT_NEAR(worst([](int i) { return static_cast<double>(i) / last; }), 6e-7, 0.3e-7);
+}
+
+// Every second sample has no pressure at all.
+TEST(Samples, ARingOfOneSampleHasAnError) {
+  const auto [wrench, error, slope] =
+      samples(std::array<PressureSample, 7>{{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 5}, {5, 0}, {6, 0}}}, "ring.csv")
+          ->evaluate(0.0);
+  for (const double mean_radius : {4.0, 4.0 + 1.0 / 24.0}) EXPECT_NEAR(wrench.moment, mean_radius / 5.0, error.moment);
 }
 
 TEST(Samples, NoiseEntersTheStatedError) {
@@ -339,18 +357,42 @@ TEST(Samples, TheLoadToHoldIsOffByNoMoreThanItsStatedError) {
     for (const ContactFriction& contact : {ContactFriction{.mu = 0.6, .radius_law = RadiusLaw::constant(0.006)},
                                            ContactFriction{.mu = 0.6, .radius_law = RadiusLaw::power(0.005, 0.3)},
                                            ContactFriction{.mu = 0.6, .mu_r = 0.002, .gamma = 0.25}}) {
-      for (const double moment : {0.0, 1e-4, 1e-3, 2e-3, 1e-2}) {
-        const double load = load_to_hold(curve, contact, 1.0, moment);
-        const double error = hold_error(curve, *law, contact, load, 1.0, moment);
-        EXPECT_NEAR(load, load_to_hold(truth, contact, 1.0, moment), error + 1e-12 * load) << count << ' ' << moment;
+      for (const auto& [force, moment] :
+           {std::pair(1.0, 0.0), {1.0, 1e-4}, {1.0, 1e-3}, {1.0, 2e-3}, {1.0, 1e-2}, {0.1, 1e-2}, {0.0, 1e-2}}) {
+        const double load = load_to_hold(curve, contact, force, moment);
+        const double error = hold_error(curve, *law, contact, load, force, moment);
+        EXPECT_NEAR(load, load_to_hold(truth, contact, force, moment), error + 1e-12 * load) << count << ' ' << moment;
         EXPECT_LT(error, 0.2 * load);
-        if (moment == 0.0) {
+        if (moment == 0.0 || (force == 0.0 && contact.mu_r)) {
           EXPECT_LT(error, 1e-12);
         }
       }
     }
   }
   EXPECT_EQ(hold_error(truth, *hertz(), {.mu = 0.6, .radius_law = RadiusLaw::constant(0.006)}, 2.0, 1.0, 1e-3), 0.0);
+  // Of an ellipse P² = (F/μ)² + (M/μa m₀)²: only m₀ matters, and with measured moments nothing of the law.
+  const Law law = samples(sampled(hertz_pressure, 12, 0.0), "hertz.csv");
+  const auto [spin, spin_error, slope] = law->evaluate(0.0);
+  const Ellipse ellipse = Ellipse::through_intercepts(spin.moment);
+  const std::array<LoadSample, 3> moments{{{0.5, 0.001}, {1.0, 0.002}, {4.0, 0.008}}};
+  const ContactFriction measured{.mu = 0.6, .mu_r = 0.002};
+  const ContactFriction listed{.mu = 0.6, .radius_law = RadiusLaw::of_moments(moments, 0.6, spin.moment)};
+  for (const double moment : {2e-4, 2e-3}) {
+    const ContactFriction sized{.mu = 0.6, .radius_law = RadiusLaw::constant(0.006)};
+    const double load = load_to_hold(ellipse, sized, 1.0, moment);
+    const double spinning = moment / (0.6 * 0.006 * spin.moment);
+    const double expected = spinning * spinning / load * spin_error.moment / spin.moment;
+    EXPECT_NEAR(hold_error(ellipse, *law, sized, load, 1.0, moment, true), expected, 1e-12);
+    for (const ContactFriction& contact : {measured, listed}) {
+      const double held = load_to_hold(ellipse, contact, 1.0, moment);
+      EXPECT_EQ(hold_error(ellipse, *law, contact, held, 1.0, moment, true), 0.0);
+      EXPECT_EQ(hold_error(box(1.0, spin.moment), *law, contact, held, 1.0, moment, true), 0.0);
+    }
+    const ExactCurve curve(law);
+    const double held = load_to_hold(curve, measured, 1.0, moment);
+    EXPECT_NEAR(hold_error(curve, *law, listed, held, 1.0, moment),
+                hold_error(curve, *law, measured, held, 1.0, moment), 1e-12);
+  }
 }
 
 TEST(Samples, TheInterpolantDoesNotOvershoot) {
@@ -398,6 +440,36 @@ TEST(Samples, OfManyPiecesHaveTheWrenchThatEachPieceAloneGives) {
       EXPECT_TRUE(test::are_near_in_relative_terms(together.wrench, alone.wrench, bound)) << count << ' ' << s;
       EXPECT_NEAR(together.force_slope, alone.force_slope, 1e-13 * alone.force_slope) << count << ' ' << s;
       EXPECT_TRUE(test::are_near_in_relative_terms(law->forces(s), alone.wrench, 1e-14)) << count << ' ' << s;
+    }
+  }
+}
+
+// Nearly all load may lie on a speck of the disc, alone or beside a little pressure everywhere.
+TEST(Samples, ARimFarOutOnlyScalesTheUnitOfLength) {
+  const std::array<PressureSample, 7> profile{
+      {{0, 1}, {1, 0.968}, {2, 0.866}, {3, 0.661}, {3.5, 0.484}, {3.8, 0.312}, {4, 0}}};
+  const Law law = samples(profile, "hertz.csv", 4.0);
+  for (const double rim : {40.0, 400.0, 4000.0}) {
+    const Law wide = samples(profile, "hertz.csv", rim);
+    for (const double c : {0.0, 2.0, 7.9, 40.0, 1e4}) {
+      const UnitWrench near = law->evaluate(c / 4.0).wrench;
+      EXPECT_LE(test::apart(wide->evaluate(c / rim).wrench, UnitWrench{near.force, near.moment * 4.0 / rim}), 1e-14)
+          << rim << ' ' << c;
+    }
+  }
+  // A disc or a ring narrower than any sample of it: its wrench is that of one radius.
+  for (const double width : {1e-5, 1e-8}) {
+    for (const double elsewhere : {0.0, 1e-30}) {
+      for (const double place : {0.0, 4.0}) {
+        std::vector<PressureSample> rows{{0, place > 0.0 ? elsewhere : 1.0}};
+        if (place > 0.0) rows.insert(rows.end(), {{place, elsewhere}, {place, 1.0}});
+        rows.insert(rows.end(), {{place + width, 1.0}, {place + 2.0 * width, 1.0}, {place + 2.0 * width, elsewhere}});
+        rows.insert(rows.end(), {{6.0, elsewhere}, {8.0, 0.0}});
+        const Law speck = samples(rows, "speck.csv", 8.0);
+        for (const double s : {0.6, 2.0, 100.0})
+          EXPECT_LE(test::apart(speck->evaluate(s).wrench, evaluators::ring_wrench((place + width) / 8.0, s)), width)
+              << width << ' ' << elsewhere << ' ' << place << ' ' << s;
+      }
     }
   }
 }

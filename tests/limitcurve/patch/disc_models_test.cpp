@@ -51,7 +51,8 @@ TEST(DiscModels, OfADiscAreTheDiscAndTheEllipse) {
 TEST(DiscModels, TheBestDiscIsBalancedAndBetterThanThatOfEqualArea) {
   const std::vector<std::pair<Patch, double>> cases{{Patch::rectangle(0.02, 0.01), std::sqrt(2e-4 / std::numbers::pi)},
                                                     {Patch::ellipse(hertz(), 0.02, 0.005), 0.01},
-                                                    {Patch::rectangle(1.0, 1.0), std::sqrt(1.0 / std::numbers::pi)}};
+                                                    {Patch::rectangle(1.0, 1.0), std::sqrt(1.0 / std::numbers::pi)},
+                                                    {Patch::rectangle(1e30, 1e30), std::sqrt(1e60 / std::numbers::pi)}};
   for (const auto& [patch, radius] : cases) {
     const std::vector<DiscModel> models = disc_models(patch);
     const CurveError best = model(models, "disc:").error;

@@ -163,6 +163,19 @@ TEST(PatchTable, WhatTakesAPatchTakesATable) {
     EXPECT_GE(slip.error, table.checked_error());
   }
   EXPECT_EQ(half_spaces(table, 14).rows.size(), half_spaces(patch, 14).rows.size());
+  // Beside the origin, with other friction along x than along y.
+  const Patch aside = Patch::polygon(std::array<PatchPoint, 4>{{{3, 1}, {5, 1}, {5, 2}, {3, 2}}}).orthotropic(2.0, 0.5);
+  const PatchTable of_aside = read_patch_table_csv(to_csv(PatchTable::build(aside, 1e-3)), "aside.csv");
+  EXPECT_EQ(of_aside.centre().x, aside.centre().x);
+  EXPECT_EQ(of_aside.centre().y, aside.centre().y);
+  for (int i = 0; i < 50; ++i) {
+    const PatchTwist twist = random.twist().of(aside);
+    const PatchFriction found = of_aside.about_origin(twist);
+    EXPECT_LE(test::difference(found.wrench, aside.about_origin(twist).wrench, aside.moment_ratio()), found.error);
+    const PatchWrench wrench{random.normal(), random.normal(), random.normal()};
+    const double exact = load_to_hold(aside, 0.6, wrench);
+    EXPECT_NEAR(load_to_hold(of_aside, 0.6, wrench), exact, 3e-3 * exact);
+  }
 }
 
 TEST(PatchTable, RefusesPointsAndToleranceByName) {

@@ -63,6 +63,9 @@ TEST(Choose, OfEqualCostsTheSmallerErrorWins) {
   choose_cheapest(candidates, 0.1);
   EXPECT_TRUE(std::none_of(candidates.begin(), candidates.end(), [](const Candidate& one) { return one.chosen; }));
   EXPECT_EQ(candidates[1].reason, "10.02 % > 10 %");
+  candidates = {{"next", 0.0, 0.0826186923216865, 10.0}};  // in per cent it is the same number
+  choose_cheapest(candidates, 0.08261869232168649);
+  EXPECT_EQ(candidates[0].reason, "0.0826186923216865 > 0.08261869232168649");
 }
 
 TEST(Choose, SaysWhatItBeatAndWhy) {
