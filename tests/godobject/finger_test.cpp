@@ -78,6 +78,13 @@ TEST(SoftFinger, SlipBeginsOnTheCurve) {
   });
 }
 
+TEST(FingerCurve, OfABoxBearsWhatItsTwistSlips) {
+  const FingerCurve curve = box(0.5, 3.0);
+  EXPECT_EQ(curve.wrench({2.0, 0.0}), (UnitWrench{0.5, 0.0}));
+  EXPECT_EQ(curve.wrench({0.0, 2.0}), (UnitWrench{0.0, 3.0}));
+  EXPECT_EQ(curve.wrench({2.0, 1e-9}), (UnitWrench{0.5, 3.0}));
+}
+
 TEST(FingerCurve, OfAViewKeepsItsOwner) {
   auto table = std::make_shared<const Table>(Table::build(hertz(), 1e-6));
   const std::weak_ptr<const Table> watch = table;
