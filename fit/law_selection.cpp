@@ -86,15 +86,19 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
       ties += (ties.empty() ? "" : ", ") + candidate.model;
     }
   }
-  const std::vector<Estimate> alone = best.report.estimates;
+  const std::vector<double> alone = covariances_of(best.report);
   include_choice(best.report, selection.candidates);
   if (rows < samples.size()) {
     ContactFit fit = internal::fit_prepared(of_all, models.at(order.front()), options);
-    for (std::size_t i = 0; i < alone.size(); ++i) {
-      const double of_choice = std::pow(best.report.estimates[i].std_error, 2) - std::pow(alone[i].std_error, 2);
-      double& error = fit.report.estimates.at(i).std_error;
-      if (of_choice > 0.0) error = std::sqrt(error * error + of_choice);
+    const std::vector<double> chosen = covariances_of(best.report);
+    std::vector<double> all = covariances_of(fit.report);
+    const std::size_t count = fit.report.estimates.size();
+    const auto of_choice = [&](std::size_t i, std::size_t j) { return chosen[i * count + j] - alone[i * count + j]; };
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < count; ++j)
+        all[i * count + j] += of_choice(i, i) > 0.0 && of_choice(j, j) > 0.0 ? of_choice(i, j) : 0.0;
     }
+    set_covariances(fit.report, all);
     best = std::move(fit);
   }
   internal::check_assumptions(best, samples, models.at(order.front()), options);

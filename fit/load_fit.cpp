@@ -203,11 +203,13 @@ LoadSelection select_load(const LoadSamples& samples, const Loss& loss) {
   best.report.note += can_choose ? "; best of 3 by AIC, the errors include the choice" : "; too few rows to choose";
   if (best.model != LoadModel::power) {
     // The power law contains the others: its errors, and how far the best is from it.
+    std::vector<double> offs;
     for (std::size_t i = 0; i < free.estimates.size(); ++i) {
-      Estimate& estimate = best.report.estimates[i];
-      estimate.std_error = std::hypot(free.estimates[i].std_error, free.estimates[i].value - estimate.value);
+      best.report.estimates[i].std_error = free.estimates[i].std_error;
+      offs.push_back(free.estimates[i].value - best.report.estimates[i].value);
     }
     best.report.correlation = free.correlation;
+    add_error(best.report, offs);
   }
   check_assumptions(best, samples, loss);
   for (const LoadFit& candidate : selection.candidates) {

@@ -186,6 +186,9 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
                        {"--load-model", kind_ != Kind::load},
                        {"--largest-radius", !of_slips || kind_ == Kind::ellipse}},
                       "fit " + name() + (has_data ? has_ratios ? " of published ratios" : "" : " without --data"));
+    const bool grows = settings_.fit_gamma || settings_.gamma != 0.0;
+    results.warn_idle({{"--largest-radius", of_slips && kind_ != Kind::ellipse && grows}},
+                      "a radius that grows with the load (--gamma, --fit-gamma)");
   }
 
   /// A note or warning that the user must know before using the numbers.
@@ -236,10 +239,10 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
     const fit::Estimate* const mu_r = found.report.find(Role::moment);
     if (kind_ == fit::Kind::ratio && mu == nullptr) return;  // without mu there is no finger
     const bool follows_outliers = found.report.scatter_refused && settings_.loss.kind == fit::Loss::Kind::squared;
-    if (kind_ == fit::Kind::law && (found.report.gamma_refused || follows_outliers)) {
+    if (found.report.gamma_refused || follows_outliers) {
+      const char* const free = kind_ == fit::Kind::load ? " --load-model power" : " --fit-gamma";
       return say("note", std::string("the data reject this model, so no parameters are suggested; try again with") +
-                             (found.report.gamma_refused ? " --fit-gamma" : "") +
-                             (follows_outliers ? " --loss cauchy" : ""));
+                             (found.report.gamma_refused ? free : "") + (follows_outliers ? " --loss cauchy" : ""));
     }
     const fit::Estimate* const fitted = found.report.find(Role::gamma);
     const double gamma = fitted != nullptr ? fitted->value : settings_.gamma;
@@ -269,7 +272,7 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
     if (gamma != 0.0) add("gamma", "gamma", growth);
     if (mu != nullptr && (!law.empty() || is_ellipse) && std::filesystem::exists(descriptor::path_of(data_))) {
       say("note", "for the load that would hold each row: limitcurve hold" + options + " --data " + shell_word(data_) +
-                      file_columns_.options +
+                      file_columns_.options_of({"load", "force", "moment"}) +
                       (file_columns_.least_load ? " --least-load " + format_number(*file_columns_.least_load) : "") +
                       (file_columns_.zero ? " --zero" : ""));
     }

@@ -63,14 +63,19 @@ void CsvReader::find_header() {
   find_columns();
 }
 
+std::size_t CsvReader::place_in_header(const std::string& name) const {
+  std::size_t place = missing;
+  for (std::size_t i = 0; i < field_count_; ++i) {
+    if (fields_[i].text != name) continue;
+    if (place != missing) throw complaint_at(fields_[i].offset, "column '" + name + "' twice, expected once");
+    place = i;
+  }
+  return place;
+}
+
 /// Where each column's numbers are. A name in --columns with a sign, or of several, is one column if the file has a
 /// column of just that name.
 void CsvReader::find_sources() {
-  const auto place_of = [&](std::string_view name) {
-    const auto end = fields_.begin() + static_cast<std::ptrdiff_t>(field_count_);
-    const auto found = std::find_if(fields_.begin(), end, [&](const Field& field) { return field.text == name; });
-    return found == end ? missing : static_cast<std::size_t>(found - fields_.begin());
-  };
   sources_.assign(columns_.size(), {});
   for (std::size_t i = 0; i < renamed_.size(); ++i) {
     const auto& [own, in_file] = file_columns_.names[i];
@@ -79,7 +84,7 @@ void CsvReader::find_sources() {
       const char last = in_file.back();
       const std::string stem = in_file.substr(0, in_file.size() - 1);
       const std::string other = stem + static_cast<char>(last + 1);
-      if (own == "force" && (last == 'x' || last == 'X') && place_of(other) != missing)
+      if (own == "force" && (last == 'x' || last == 'X') && std::count(header_.begin(), header_.end(), other) > 0)
         say("force=" + in_file + " leaves out " + other + "; force=" + in_file + ":" + other + " is their length");
       continue;
     }
@@ -95,7 +100,7 @@ void CsvReader::find_sources() {
     if (parts.is_plain) continue;
     Source source{{}, parts.turned};
     for (const std::string& name : parts.names) {
-      const std::size_t place = place_of(name);
+      const std::size_t place = place_in_header(name);
       if (place == missing) throw no_named_column(name);
       if (std::find(source.places.begin(), source.places.end(), place) != source.places.end())
         throw std::invalid_argument(got + "each column once");
@@ -168,14 +173,7 @@ void CsvReader::find_columns() {
   header_fields_ = field_count_;
   header_.clear();
   for (std::size_t i = 0; i < field_count_; ++i) header_.push_back(fields_[i].text);
-  for (std::size_t i = 0; i < field_count_; ++i) {
-    for (std::size_t column = 0; column < columns_.size(); ++column) {
-      if (fields_[i].text != columns_[column]) continue;
-      if (places_[column] != missing)
-        throw complaint_at(fields_[i].offset, "column '" + columns_[column] + "' twice, expected once");
-      places_[column] = i;
-    }
-  }
+  for (std::size_t column = 0; column < columns_.size(); ++column) places_[column] = place_in_header(columns_[column]);
   find_sources();
   if (file_columns_.least_load && (load_ == columns_.size() || places_[load_] == missing))
     throw no_column(load_ == columns_.size() ? "'load'" : "'" + columns_[load_] + "' for --least-load");

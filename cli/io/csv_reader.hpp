@@ -116,6 +116,7 @@ class CsvReader {
   bool next_line();
   bool next_meaningful_line();
   void split();
+  [[nodiscard]] std::size_t place_in_header(const std::string& name) const;
   void find_columns();
   void find_sources();
   [[nodiscard]] bool is_units_line() const;

@@ -86,7 +86,16 @@ void FileColumns::read_names(std::string_view list) {
                   names.emplace_back(own, other);
                   return true;
                 });
-  options.append(" --columns ").append(shell_word(list));
+}
+
+std::string FileColumns::options_of(const std::vector<std::string_view>& columns) const {
+  std::string list;
+  for (const auto& [own, in_file] : names) {
+    if (std::find(columns.begin(), columns.end(), own) == columns.end()) continue;
+    list.append(list.empty() ? "" : ",").append(own).append("=").append(in_file);
+  }
+  return (list.empty() ? "" : " --columns " + shell_word(list)) +
+         (units.empty() ? "" : " --units " + shell_word(units));
 }
 
 FileColumns::Parts FileColumns::parts_of(std::string_view text) {
@@ -151,7 +160,7 @@ void FileColumns::read_units(std::string_view list) {
     scales.insert_or_assign(name, *number);
     return true;
   });
-  options.append(" --units ").append(shell_word(list));
+  units = list;
 }
 
 }  // namespace limitcurve::cli

@@ -42,11 +42,13 @@ struct FileColumns {
   /// Throws std::invalid_argument if --zero is given without --least-load.
   void check_zero() const;
   /// Whether anything was read.
-  [[nodiscard]] bool given() const { return !options.empty(); }
+  [[nodiscard]] bool given() const { return !names.empty() || !scales.empty(); }
+  /// --columns and --units as they were typed, for a command that knows only these columns.
+  [[nodiscard]] std::string options_of(const std::vector<std::string_view>& columns) const;
 
   std::vector<std::pair<std::string, std::string>> names = {};  ///< the reader's name of a column, the file's
   std::map<std::string, double, std::less<>> scales = {};       ///< of --units: a quantity's unit in the file, in SI
-  std::string options = {};                                     ///< as they were typed
+  std::string units = {};                                       ///< as they were typed
   std::optional<double> least_load = {};  ///< in the file's unit: rows with a smaller load are left out
   bool zero = false;                      ///< subtract the sensor's zero, from the pauses below the least load
   bool is_offered = false;                ///< the command has these options

@@ -59,8 +59,13 @@ SensorZero::SensorZero(const std::vector<std::vector<double>>& channels, std::sp
     middles_.push_back(0.5 * static_cast<double>(first + last - 1));
     std::vector<double> changes(loads.begin() + static_cast<std::ptrdiff_t>(first),
                                 loads.begin() + static_cast<std::ptrdiff_t>(last));
-    for (const double level = middle_of(changes); double& load : changes) load = std::fabs(load - level);
-    if (middle_of(changes) > settled) ++unsettled_;
+    const double level = middle_of(changes);
+    for (double& load : changes) load = std::fabs(load - level);
+    // What lies far below was no load either: a light grip then passes for a part of the pauses beside it.
+    const auto run = loads.subspan(begin, length);
+    const auto lower =
+        std::count_if(run.begin(), run.end(), [&](double load) { return load < level - least_load - settled; });
+    if (middle_of(changes) > settled || static_cast<std::size_t>(lower) >= shortest_pause) ++unsettled_;
     for (std::size_t i = 0; i < channels.size(); ++i) {
       const std::span<const double> rows = std::span(channels[i]).subspan(first, last - first);
       levels_[i].push_back(middle_of({rows.begin(), rows.end()}));

@@ -21,7 +21,8 @@ class SensorZero {
 
   [[nodiscard]] std::size_t pauses() const { return middles_.size(); }
   /// Those within which the load changes: by more than the noise of the log, and than 5 % of the least load, in half of
-  /// the rows that give the zero.
+  /// the rows that give the zero; or which have a pause's rows by the least load below it, because a light grip gives
+  /// it.
   [[nodiscard]] std::size_t unsettled() const { return unsettled_; }
   /// Standard deviation of the load from row to row.
   [[nodiscard]] double noise() const { return noise_; }

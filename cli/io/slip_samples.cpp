@@ -56,10 +56,11 @@ std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio
     return slips(reader);
   }
   require(ratio + 1);
+  constexpr Range counted{1.0, largest, "a finite number >= 1; if it is not known, leave out the column"};
   std::vector<fit::RatioSample> ratios;
   while (reader.next()) {
     ratios.push_back({reader.number(ratio, positive), reader.number(ratio + 1, positive),
-                      reader.has(ratio + 2) ? reader.number(ratio + 2, positive) : 0.0});
+                      reader.has(ratio + 2) ? reader.number(ratio + 2, counted) : 0.0});
   }
   return ratios;
 }

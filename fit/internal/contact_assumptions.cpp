@@ -101,13 +101,14 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, const Contac
   constexpr double most = 0.2;
   const double at_slide = std::clamp(trend.sum(), -most, most);
   const double at_twist = std::clamp(trend[0] - trend[1] + trend[2] - trend[3], -most, most);
-  const std::array<double, 2> off_limits{at_slide, at_twist};
-  for (std::size_t j = 0; j < report.estimates.size(); ++j) {
-    Estimate& estimate = report.estimates[j];
-    if (j > 1 && estimate.role != Estimate::Role::ratio && estimate.role != Estimate::Role::radius) continue;
-    const double off = j > 1 ? at_twist - at_slide : off_limits.at(j);
-    estimate.std_error = std::hypot(estimate.std_error, off * estimate.value);
+  using Role = Estimate::Role;
+  std::vector<double> offs;
+  for (const Estimate& estimate : report.estimates) {
+    const bool is_ratio = estimate.role == Role::ratio || estimate.role == Role::radius;
+    const double off = offs.empty() ? at_slide : offs.size() == 1 ? at_twist : is_ratio ? at_twist - at_slide : 0.0;
+    offs.push_back(std::isfinite(estimate.std_error) ? off * estimate.value : 0.0);
   }
+  add_error(report, offs);
   if (chance < 0.002) {
     // Where an end of the curve bends within a standard deviation, errors make a trend.
     constexpr double most_curved = 0.4;

@@ -212,11 +212,14 @@ double variance_of(const std::vector<double>& numbers) {
 /// Which grips reach the limit, and which way.
 struct Reached {
   std::size_t grips = 0;
-  std::array<std::size_t, 3> ways{};  ///< slides, twists, both
+  std::size_t at_limit = 0;
+  std::array<std::size_t, 3> ways{};     ///< slides, twists, both; a grip may slip one way after the other
+  std::array<std::size_t, 2> telling{};  ///< that slide or do both, twist or do both
   /// Of slides below the limit and at it, in order, relative to the reference load; and the largest wrench below.
   std::array<std::vector<double>, 2> loads;
   double below = 0.0;
-  /// Means of the slips of each grip.
+  /// Means of ten slips of a grip, of all if it has fewer: of the angle, and of the load if they tell the moment's
+  /// limit.
   std::vector<double> angles;
   std::vector<double> log_loads;
 };
@@ -227,19 +230,29 @@ Reached reached(const EdgeModel& model, std::span<const EdgeRow> rows, const Vec
     double size = 0.0;
     double load = 0.0;
     bool slides = false;
+    bool is_told = false;
     double slips = 0.0;
     double angles = 0.0;
     double log_loads = 0.0;
   };
   std::map<std::size_t, Grip> by_grip;
+  Reached all;
+  const auto tell = [&](Grip& grip) {
+    const double angle = grip.angles / grip.slips;
+    all.angles.push_back(angle);
+    if (angle > std::numbers::pi / 6) all.log_loads.push_back(grip.log_loads / grip.slips);
+    grip.slips = grip.angles = grip.log_loads = 0.0;
+    grip.is_told = true;
+  };
   for (const EdgeRow& row : rows) {
     Grip& grip = by_grip[row.grip];
     const EdgePlace at = model.place(row, v);
     const bool is_slip = model.chance(at, v).at_limit > 0.5;
-    if (is_slip) {
-      ++grip.slips;
+    // With more noise the angle says nothing.
+    if (is_slip && at.sigma < 0.3) {
       grip.angles += at.angle;
       grip.log_loads += row.log_load;
+      if (++grip.slips == 10.0) tell(grip);
     }
     // Noise alone reaches the limit under a small load.
     const bool is_noisy = at.sigma > 0.1;
@@ -252,22 +265,25 @@ Reached reached(const EdgeModel& model, std::span<const EdgeRow> rows, const Vec
     grip.size = std::max(grip.size, at.size);
     if (is_slip) ++grip.ways.at(at.angle < std::numbers::pi / 6 ? 0 : at.angle > std::numbers::pi / 3 ? 1 : 2);
   }
-  Reached all;
   all.grips = by_grip.size();
-  for (const auto& [number, grip] : by_grip) {
-    if (grip.slips > 2.0) {
-      all.angles.push_back(grip.angles / grip.slips);
-      all.log_loads.push_back(grip.log_loads / grip.slips);
-    }
-    const auto most = std::ranges::max_element(grip.ways);
-    const bool reaches = *most > 2;
-    if (reaches) ++all.ways.at(static_cast<std::size_t>(most - grip.ways.begin()));
+  for (auto& [number, grip] : by_grip) {
+    if (grip.slips > 2.0 && !grip.is_told) tell(grip);
+    const std::array<bool, 3> ways{grip.ways[0] > 2, grip.ways[1] > 2, grip.ways[2] > 2};
+    for (std::size_t i = 0; i < 3; ++i) all.ways.at(i) += ways.at(i) ? 1 : 0;
+    for (std::size_t i = 0; i < 2; ++i) all.telling.at(i) += ways.at(i) || ways[2] ? 1 : 0;
+    const bool reaches = ways[0] || ways[1] || ways[2];
+    all.at_limit += reaches ? 1 : 0;
     if (grip.telling < 0 || !grip.slides) continue;
     all.loads.at(reaches ? 1 : 0).push_back(grip.load);
     if (!reaches) all.below = std::max(all.below, grip.size);
   }
   for (std::vector<double>& loads : all.loads) std::ranges::sort(loads);
   return all;
+}
+
+/// What an error of 1 % of the load leaves open of gamma: all, if no two loads tell it.
+double unknown_gamma(const Reached& at_limit) {
+  return 0.01 * 0.01 / std::fmax(variance_of(at_limit.log_loads), 0.0);
 }
 
 void require(bool good, const char* expected) {
@@ -324,7 +340,7 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
     for (std::size_t j = 0; j < free; ++j) covariance[i * free + j] = spread(a, static_cast<Eigen::Index>(j));
     covariance[i * free + i] += std::pow(0.5 * difference[a], 2) + std::pow(floors.at(i), 2);
   }
-  const Reached at_limit = reached(edge_model, rows, edge.v);
+  const Reached at_limit = reached(edge_model, all, edge.v);
   if (variance_of(at_limit.angles) < 0.1 * 0.1) {
     throw std::invalid_argument(
         "not identifiable from these samples: mu, mu_r: the slips turn about one centre of rotation and give one point "
@@ -332,11 +348,11 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
         format_number(std::tan(at_limit.angles.front()) * std::exp(values[1] - values[0]), 3) +
         " m: add slips about others");
   }
-  // What an error of 1 % of the load leaves open of gamma.
-  const double unknown = 0.01 * 0.01 / variance_of(at_limit.log_loads);
   const auto [low, high] = gamma_range;
   const Parameter gamma{"gamma", 0.0, low, high};
   if (options.fit_gamma) {
+    const double unknown = unknown_gamma(at_limit);
+    require(unknown < 0.5, "only twists tell gamma: add some under other loads");
     covariance.back() += unknown * unknown;
     refuse_hidden(gamma, covariance.back());
   }
@@ -359,7 +375,7 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
   report.message = "maximum likelihood";
   report_limits(fit, *curve, layout, model, values, covariance, preparation.reference_load, options.largest_radius);
   const auto& [slides, twists, both] = at_limit.ways;
-  report.note = note_of(fit.model, options, all.size(), true) + "; " + std::to_string(slides + twists + both) + " of " +
+  report.note = note_of(fit.model, options, all.size(), true) + "; " + std::to_string(at_limit.at_limit) + " of " +
                 std::to_string(at_limit.grips) + " grips reach the limit: " + std::to_string(slides) + " slides, " +
                 std::to_string(twists) + " twists, " + std::to_string(both) + " both";
   if (share < 0.03 || factor > 1.8) {
@@ -376,7 +392,7 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
       report.warnings.push_back(name + ": two halves of the grips differ by " + format_number(100.0 * apart, 2) +
                                 " %: few of them slipped that way");
     }
-    if (at_limit.ways.at(i) == 0 || at_limit.ways.at(i) + both < 2) {
+    if (at_limit.ways.at(i) == 0 || at_limit.telling.at(i) < 2) {
       report.warnings.push_back(name + ": no grip of those that reach the limit is a " + (i == 0 ? "slide" : "twist") +
                                 ", so this limit is extrapolated along the curve, and may be far off: add some");
     }
@@ -397,11 +413,13 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
   }
   if (options.fit_gamma) {
     warn_of_end(report, gamma, values[2]);
-  } else if (!falls && !grows && unknown < 0.5) {
+  } else if (!falls && !grows) {
     // Holds may feign a small gamma: it counts if it is many standard errors and halves apart.
     constexpr double feigned = 0.02;
     const EdgeModel with_gamma(gauge, true, options.gamma);
     const Vector other = find_edge(with_gamma, rows, std::nullopt).v;
+    const double unknown = unknown_gamma(reached(with_gamma, all, other));
+    if (!(unknown < 0.5)) return fit;
     const double apart = find_edge(with_gamma, halves[0], other).v[2] - find_edge(with_gamma, halves[1], other).v[2];
     const double error = std::hypot(std::sqrt(covariance_by_grip(with_gamma, rows, other)(2, 2)), 0.5 * apart,
                                     std::hypot(feigned, unknown));

@@ -24,10 +24,10 @@ namespace limitcurve::fit::internal {
 /// before their limit (measured on brush models). That of γ has what an error of 1 % of the load makes, too.
 ///
 /// Throws std::invalid_argument without sigmas or grips, for fewer than four grips, if more than 3 % of the rows lie
-/// outside any such curve, if all slips turn about one centre, and if the loads do not tell a free γ. Warns if no sharp
-/// edge is found, if another γ than the assumed one fits better, if the halves differ, if few grips slip one way (a
-/// limit is then what the wrench reached), and if only grips of the smallest or the largest loads reach the limit.
-/// Cost: about 1 s for 5000 rows; of more than 6000 every n-th counts.
+/// outside any such curve, if all slips turn about one centre, and if the loads of twists do not tell a free γ. Warns
+/// if no sharp edge is found, if another γ than the assumed one fits better, if the halves differ, if few grips slip
+/// one way (a limit is then what the wrench reached), and if only grips of the smallest or the largest loads reach the
+/// limit. Cost: about 1 s for 5000 rows; of more than 6000 every n-th counts.
 ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options);
 
 }  // namespace limitcurve::fit::internal

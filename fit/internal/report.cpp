@@ -82,6 +82,39 @@ void set_estimates(FitReport& report, std::span<const Quantity> quantities, std:
   }
 }
 
+std::vector<double> covariances_of(const FitReport& report) {
+  const std::vector<Estimate>& estimates = report.estimates;
+  const std::size_t count = estimates.size();
+  std::vector<double> covariances(count * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j)
+      covariances[i * count + j] =
+          (i == j ? 1.0 : report.correlation[i * count + j]) * estimates[i].std_error * estimates[j].std_error;
+  }
+  return covariances;
+}
+
+void set_covariances(FitReport& report, std::span<const double> covariances) {
+  const std::size_t count = report.estimates.size();
+  for (std::size_t i = 0; i < count; ++i) report.estimates[i].std_error = std::sqrt(covariances[i * count + i]);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      const double scale = report.estimates[i].std_error * report.estimates[j].std_error;
+      const double correlation = i == j ? 1.0 : covariances[i * count + j] / scale;
+      report.correlation[i * count + j] =
+          std::isfinite(scale) && scale > 0.0 ? std::clamp(correlation, -1.0, 1.0) : 0.0;
+    }
+  }
+}
+
+void add_error(FitReport& report, std::span<const double> offs) {
+  std::vector<double> covariances = covariances_of(report);
+  for (std::size_t i = 0; i < offs.size(); ++i) {
+    for (std::size_t j = 0; j < offs.size(); ++j) covariances[i * offs.size() + j] += offs[i] * offs[j];
+  }
+  set_covariances(report, covariances);
+}
+
 std::string note_of_few_rows(std::size_t spare) {
   if (spare == 0 || spare >= 30) return "";
   const double rare = student_quantile(static_cast<double>(spare), 0.975);

@@ -46,6 +46,13 @@ void describe(FitReport& report, const Solution& solution);
 void set_estimates(FitReport& report, std::span<const Quantity> quantities, std::span<const double> jacobian,
                    std::span<const double> covariance);
 
+/// Of the estimates, in rows; and back, to standard errors and correlations (0 with an estimate of unknown error).
+std::vector<double> covariances_of(const FitReport& report);
+void set_covariances(FitReport& report, std::span<const double> covariances);
+
+/// Adds an error that all estimates share: by `offs` they may be off together.
+void add_error(FitReport& report, std::span<const double> offs);
+
 /// Residuals below this, in units of the limits or of standard deviations, are rounding: the curves are exact to 1e-11.
 inline constexpr double perfect = 1e-10;
 
@@ -74,10 +81,9 @@ void include_choice(FitReport& report, const std::vector<Fit>& candidates) {
   const auto is_shared = [](const Estimate& one) {
     return one.role != Estimate::Role::shape && std::isfinite(one.value) && std::isfinite(one.std_error);
   };
-  std::vector<double> covariances(count * count);
+  std::vector<double> covariances = covariances_of(report);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
-      covariances[i * count + j] = report.correlation[i * count + j] * best[i].std_error * best[j].std_error;
       if (!is_shared(best[i]) || !is_shared(best[j])) continue;
       double sum = 0.0;
       double covariance = 0.0;
@@ -98,17 +104,7 @@ void include_choice(FitReport& report, const std::vector<Fit>& candidates) {
       if (sum > 0.0) covariances[i * count + j] = covariance / sum;
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (is_shared(best[i])) report.estimates[i].std_error = std::sqrt(covariances[i * count + i]);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < count; ++j) {
-      const double scale = report.estimates[i].std_error * report.estimates[j].std_error;
-      const double correlation = i == j ? 1.0 : covariances[i * count + j] / scale;
-      report.correlation[i * count + j] =
-          std::isfinite(scale) && scale > 0.0 ? std::clamp(correlation, -1.0, 1.0) : 0.0;
-    }
-  }
+  set_covariances(report, covariances);
 }
 
 }  // namespace limitcurve::fit::internal

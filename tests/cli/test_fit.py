@@ -167,7 +167,10 @@ class Fit(CommandLineTest):
         # The whole line: each row is a slip, so that it holds up to the scatter.
         renamed = self.renamed(data, {"load": "F'z"}, {})
         quoted = self.file("it's a $file.csv", data.read_text())
-        for call, slips in ((["ellipse"], DATA / "fit" / "slips.csv"),
+        # hold knows no standard deviations.
+        noisy = self.file("noisy.csv", (DATA / "fit" / "slips.csv").read_text().replace("sigma_", "own_"))
+        sigmas = ["--columns", "sigma_force=own_force,sigma_moment=own_moment"]
+        for call, slips in ((["ellipse", "--fit-gamma", "--loss", "cauchy", *sigmas], noisy),
                             (["law", "--law", "uniform", "--fit-gamma", "--columns", "load=F'z", "--units", "force=N"],
                              renamed), (["law", "--law", f"samples:{own}", "--gamma", "0.257"], quoted)):
             line, = (line for line in self.fitted(*call, "--data", slips)[1].splitlines()
@@ -176,8 +179,16 @@ class Fit(CommandLineTest):
             margins = [row["margin"] for row in rows(*typed)]
             self.assertEqual(command, "limitcurve")
             self.assertLess(sum(margins) / len(margins), 0.1, call)
-        self.assertIn("the data reject this model, so no parameters are suggested; try again with --fit-gamma\n",
-                      self.fitted("law", "--law", "uniform", "--data", data)[1])
+        for call, slips, instead in ((["law", "--law", "uniform"], data, "--fit-gamma"),
+                                     (["ratio", "--law", "uniform"], data, "--fit-gamma"),
+                                     (["ellipse"], data, "--fit-gamma"),
+                                     (["load", "--load-model", "linear"], DATA / "fit" / "radii.csv",
+                                      "--load-model power --loss cauchy")):
+            self.assertIn(f"the data reject this model, so no parameters are suggested; try again with {instead}\n",
+                          self.fitted(*call, "--data", slips)[1])
+        self.assertIn("--largest-radius has no effect on a radius that grows with the load",
+                      self.fitted("law", "--law", "uniform", "--gamma", "0.257", "--largest-radius", "0.001", "--data",
+                                  data)[1])
 
     def test_residuals_are_distances_in_standard_deviations(self):
         """Slips on the curve, but for one that is 7 standard deviations outside and one that is 4 inside."""

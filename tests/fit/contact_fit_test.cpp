@@ -329,6 +329,25 @@ TEST(ContactFit, BandHoldsTheTruthAndResidualsAreInStandardDeviations) {
   }
 }
 
+/// By the covariances mu_r/mu has the standard error of the ratio.
+TEST(ContactFit, CovariancesIncludeWhatAnotherLawIsOffBy) {
+  const auto expect_one_error = [](const FitReport& report, double relative) {
+    const auto error = [&](const char* name) { return report.at(name).std_error / report.at(name).value; };
+    const double both = 2.0 * report.correlation_of("mu", "mu_r") * error("mu") * error("mu_r");
+    const double of_two = std::sqrt(std::pow(error("mu"), 2) + std::pow(error("mu_r"), 2) - both);
+    EXPECT_NEAR(of_two / error("ratio"), 1.0, relative) << report.note;
+  };
+  Random random(12);
+  const std::vector<Sample> samples = noisy(hertz(), {0.8, 0.005}, 60, 0.01, true, random);
+  const FitReport report = fit_contact(samples, ContactModel::of(flat_punch())).report;
+  EXPECT_TRUE(warns(report, "do not scatter evenly"));
+  expect_one_error(report, 1e-9);
+  // The laws' ratios are those of their limits to first order.
+  ContactFitOptions some;
+  some.rows_of_choice = 40;
+  expect_one_error(select_law(samples, some).candidates[0].report, 0.01);
+}
+
 TEST(ContactFit, ShapeThatNoiseHidesIsReportedUnknown) {
   const Truth truth{0.8, 0.005};
   Random random(9);

@@ -135,7 +135,16 @@ TEST(LoadFit, ChoosesTheModelThatMadeTheData) {
     const LoadSelection unclear =
         select_load(make(LoadSamples::Quantity::radius, 2e-3, 1.0 / 6.0, 0.25, true, 6, random));
     warned += unclear.aic_difference[1] < 2.0 ? 1 : 0;
-    EXPECT_EQ(unclear.candidates[0].report.warnings.empty(), unclear.aic_difference[1] >= 2.0);
+    const FitReport& best = unclear.candidates[0].report;
+    EXPECT_EQ(best.warnings.empty(), unclear.aic_difference[1] >= 2.0);
+    // The errors are those of a free gamma about the best: so are the covariances.
+    const auto power = std::ranges::find(unclear.candidates, LoadModel::power, &LoadFit::model);
+    if (power == unclear.candidates.begin()) continue;
+    const auto covariance = [](const FitReport& report) {
+      return report.correlation_of("c", "gamma") * report.at("c").std_error * report.at("gamma").std_error;
+    };
+    const auto off = [&](const char* name) { return power->report.at(name).value - best.at(name).value; };
+    EXPECT_NEAR(covariance(best), covariance(power->report) + off("c") * off("gamma"), 1e-12);
   }
   EXPECT_GE(warned, 20);
 }
