@@ -248,34 +248,52 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
                  " N s/m and b_r = " + format_number(twist, 3) + " N m s/rad");
   }
 
+  /// Names the step that needs most, unless all are even but for their rounding: a long one, or one that holds the
+  /// damper's force of a shorter one.
+  [[nodiscard]] std::string worst_step(const std::vector<double>& steps, const std::vector<double>& ends) const {
+    const godobject::FingerParameters& finger = replay_.finger;
+    const bool slides = device_->sliding <= device_damping_needed(finger, steps, delay_).sliding;
+    const double stiffness = slides ? finger.stiffness : finger.twist_stiffness;
+    const double damping = slides ? finger.damping : finger.twist_damping;
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 0.0;
+    double most = 0.0;
+    std::string text;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (std::isinf(steps[i])) continue;
+      shortest = std::min(shortest, steps[i]);
+      longest = std::max(longest, steps[i]);
+      const double times = i > 0 ? steps[i] / steps[i - 1] : 1.0;
+      const double needed = (delay_ + 0.5) * stiffness * steps[i] + damping * std::sqrt(times);
+      if (needed <= most) continue;
+      most = needed;
+      text = "; the step that needs most ends at " + format_number(ends[i]) + " s";
+      if (damping > 0.0 && times > 1.01)
+        text += " and is " + format_number(times, 3) + " times as long as the one before it";
+    }
+    return longest < 1.01 * shortest ? "" : text;
+  }
+
   /// Checks the steps that the replay makes. The finger's parameters are good.
   void check_gains(const std::vector<Sample>& samples, Messages& messages) const {
     godobject::SampleClock clock;
     std::vector<double> steps;
-    double shortest = std::numeric_limits<double>::infinity();
-    double longest = 0.0;
-    double end_of_longest = 0.0;
+    std::vector<double> ends;
     std::size_t gaps = 0;
     for (const Sample& sample : samples) {
       const double step = clock.step(sample.time);
-      if (!(step > 0.0)) continue;  // the first sample, or a refused one
+      if (!(step >= godobject::shortest_time_step)) continue;  // the first sample, a refused one, or no damper acts
       const bool is_gap = step > godobject::Replay::longest_step;
       steps.push_back(is_gap ? std::numeric_limits<double>::infinity() : step);
+      ends.push_back(sample.time);
       gaps += is_gap;
-      if (is_gap) continue;
-      shortest = std::min(shortest, step);
-      if (step <= longest) continue;
-      longest = step;
-      end_of_longest = sample.time;
     }
-    if (longest == 0.0)
+    if (gaps == steps.size())
       throw std::invalid_argument("--check-gains: the trace has no time steps up to 1 s: add T=SECONDS");
     try {
       require_passive(steps, messages);
     } catch (const std::invalid_argument& error) {
-      if (longest < 1.01 * shortest) throw;  // even steps, but for their rounding
-      throw std::invalid_argument(std::string(error.what()) + "; the longest step ends at " +
-                                  format_number(end_of_longest) + " s");
+      throw std::invalid_argument(error.what() + worst_step(steps, ends));
     }
     if (gaps > 0) {
       messages.say("limitcurve: note: --check-gains: " + std::to_string(gaps) +
