@@ -124,7 +124,7 @@ class Replays(CommandLineTest):
             "limitcurve: note: 1 sample is invalid, the first at 0.001 s: the time goes back or is not finite, after "
             "0.005 s",
             "limitcurve: note: 2 samples are invalid, the first at 0.004 s: the finger moved faster than the maximum "
-            "speed"
+            "speed past the body"
         ])
         self.assertEqual(run("replay", "--quiet", "--trace", self.directory / "trace.csv", *FINGER).stderr, "")
         # A fault of a finger names it, but one of the time does not.
