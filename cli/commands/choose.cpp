@@ -67,7 +67,8 @@ appears if k_r/k_l is more than ten times above or below (mu_r/mu_l)^2, the rati
     options.numbers("--loads", loads_, positive, "Smallest and largest load of the scene [N] (default 0.5,2)",
                     Presence::optional);
     options.number("--stiffness", scene_.stiffness, positive, "Contact stiffness k_l of the scene [N/m]");
-    options.number("--twist-stiffness", scene_.twist_stiffness, positive, "Torsional stiffness k_r of the scene [N m/rad]");
+    options.number("--twist-stiffness", scene_.twist_stiffness, positive,
+                   "Torsional stiffness k_r of the scene [N m/rad]");
     options.number("--sample-time", scene_.sample_time, positive, "Sample time of the scene [s]");
     options.number("--slide-speed", scene_.slide_speed, non_negative, "Largest sliding speed of the scene [m/s]");
     options.number("--twist-rate", scene_.twist_rate, non_negative, "Largest twist rate of the scene [rad/s]");
@@ -156,7 +157,7 @@ appears if k_r/k_l is more than ten times above or below (mu_r/mu_l)^2, the rati
     finger.mu_r = scene_.mu_r;
     finger.stiffness = scene_.stiffness;
     finger.twist_stiffness = scene_.twist_stiffness;
-    note_stiffnesses(*results.messages, "the radial projection", finger, law_->moment_ratio(),
+    note_stiffnesses(*results.messages, "the radial projection", finger, 0.0, law_->moment_ratio(),
                      std::array{scene_.least_load, scene_.most_load});
   }
 

@@ -136,7 +136,7 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
     options.named("--curve", replay_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind,
                   "Limit curve: {}");
     options.named("--projection", replay_.projection, godobject::projection_names, godobject::parse_projection,
-                  "How slip returns to the curve: {}; radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2");
+                  "How slip returns to the curve: {}; radial and c-curve assume k_r/k_l = b_r/b_l = (mu_r/mu_l)^2");
     options.number("--tolerance", replay_.tolerance, positive, "Error of the table, in unit wrenches");
     options.value(
         "--surface", "SURFACE",
@@ -317,9 +317,16 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
     godobject::Replay replay(replay_);
     godobject::SampleClock clock;
     std::vector<Sample> ahead;
+    // The usual step is the geometric mean of those with dampers, which neither gaps nor near-duplicates decide.
+    double logarithms = 0.0;
+    std::size_t damped = 0;
     const auto next = [&] {
       if (!trace.next()) return false;
       const double step = clock.step(trace.time());
+      if (step >= godobject::shortest_time_step) {
+        logarithms += std::log(step);
+        ++damped;
+      }
       if (is_free && step > godobject::Replay::longest_step) {
         throw trace.complaint("a gap of " + format_number(step) + " s, expected at most " +
                               format_number(godobject::Replay::longest_step) + " s for a free body");
@@ -396,6 +403,7 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
     if (replay_.projection != Projection::closest_point) {
       note_stiffnesses(*results.messages, "--projection " + std::string(to_string(replay_.projection)), replay_.finger,
                        replay_.law->moment_ratio(), std::span(&loads[1], 1));
+                       damped > 0 ? std::exp(logarithms / static_cast<double>(damped)) : 0.0,
     }
     UnitChecks questions = trace.questions();
     questions.load(loads[1]);

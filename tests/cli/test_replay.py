@@ -97,6 +97,15 @@ class Replays(CommandLineTest):
         # A contact too large for its twist stiffness: the moment is what is lost.
         self.assertIn("almost no friction moment",
                       self.settled("0.02", "--projection", "radial", "--curve", "table")[1])
+        # Dampers count with the springs: (F/mu P)^2 + (M/Gamma)^2 = 1 on the ray F/M = c k_l'/k_r', k' = k + b/dt.
+        for b, b_r, is_far in (3.6, 0, True), (3.6, 1e-3, False), (0, 4e-3, True):
+            slope = 0.005 * (1000 + b / 1e-3) / (0.036 + b_r / 1e-3)
+            force, told = self.settled("0.01", "--curve", "ellipse", "--projection", "radial", "--damping", b,
+                                       "--twist-damping", b_r)
+            self.assert_close(force, 1 / math.hypot(1 / 0.6, 1 / (slope * 0.01)), 1e-3, b)
+            self.assertEqual("dt = 0.001 s). Use --projection closest-point, or --twist-stiffness 0.28 --twist-damping "
+                             f"{b / 3600:.2g}" in told, is_far, told)
+            self.assertEqual(f"almost no friction {'moment' if b else 'force'}" in told, is_far, told)
 
     def test_the_note_is_about_the_largest_load(self):
         # a^2 grows by 100^(2/3) = 22 from 0.02 to 2 N: right at 2 N, wrong at 0.02 N.
