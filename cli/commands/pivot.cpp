@@ -171,8 +171,9 @@ eq. 7).)",
     results.warn_idle(
         {{"--law", !radius_law_ && (is_ellipse || curve == CurveKind::box)},
          {"--tolerance", curve != CurveKind::table},
-         // In units of the standard k_r the ellipse is a circle, onto which all projections are one.
-         {"--projection", is_ellipse && !radius_law_ && !settings_.twist_stiffness && !settings_.mu_r_dynamic}},
+         // In units of the standard k_r and b_r the ellipse is a circle, onto which all projections are one.
+         {"--projection", is_ellipse && !radius_law_ && !settings_.twist_stiffness && !settings_.twist_damping &&
+                              !settings_.mu_r_dynamic}},
         "pivot with this limit curve");
     describe(*results.messages, pivot);
     Rows rows(results, {"time", "x", "y", "angle", "grip_slip", "load", "friction_force", "friction_moment", "state",
