@@ -398,8 +398,9 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
           " s: " + std::string(to_string(fault)) +
           (fault == godobject::Fault::time_step ? ", after " + format_number(samples.after) + " s" : ""));
     }
-    // Without any contact, check at 1 N.
-    if (loads[1] == 0.0) loads = {1.0, 1.0};
+    // Without any contact, check at 1 N, or at the nearest load that the radius was measured at.
+    const auto [first, last] = replay_.finger.radius_law.sampled_loads();
+    if (loads[1] == 0.0) loads.fill(std::clamp(1.0, first, last));
     if (replay_.projection != Projection::closest_point) {
       note_stiffnesses(*results.messages, "--projection " + std::string(to_string(replay_.projection)), replay_.finger,
                        replay_.law->moment_ratio(), std::span(&loads[1], 1));

@@ -89,12 +89,20 @@ class Units(CommandLineTest):
             common = ["--law", "hertz", "--radius-law", law, "--mu", "0.5"]
             ends = loads.split(",")
             trace = self.trace((i / 1000, 0, 0, -float(load) / 1000, 0) for i, load in enumerate(ends))
+            held = self.csv("held.csv", "force,moment,load", [(0.6, 1e-4, float(load)) for load in ends])
             for call in (["p-curves", "--loads", loads], ["c-curves", "--loads", loads, "--cors", "0,0.001,inf"],
                          ["translate", "--load", ends[0], "--loads", loads], ["replay", "--trace", trace, *SPRINGS],
+                         ["hold", "--data", held],
                          ["choose", "--tolerance", "0.5", "--scene", "--loads", loads]):
                 said = self.asked(*call, *common)
                 self.assertEqual(len(said), told != "", (call, law, said))
                 self.assertIn(told, "".join(said))
+        # A grip that begins at 0, and a finger that never touches.
+        grip = ["--release", "from=0,to=3,over=0.01", "--duration", "0.01", "--radius-law", samples]
+        self.assertIn(beyond, self.asked("pivot", "--case", "exact", *grip)[-1])
+        late = "samples:" + str(self.file("late.csv", "load,radius\n2,0.004\n4,0.005\n"))
+        above = ["replay", *SPRINGS, "--trace", self.trace([(0, 0, 0, 0.01, 0)]), "--law", "hertz", "--mu", "0.5"]
+        self.assertEqual(self.asked(*above, "--radius-law", late), [])
         # What is fitted, too.
         for scale in (1, 1e-3):
             radii = [(load, scale * 4 * load ** 0.3) for load in [1, 2, 4, 8]]
