@@ -116,7 +116,7 @@ gravity pulls along --down, and the centre of mass is --offset from the origin t
     if (data_.empty() && columns_.least_load) throw std::invalid_argument("--least-load needs --data");
     if (mass_ && columns_.given())
       throw std::invalid_argument("--units has no effect on --mass and --offset, which are in kg and m: leave it out");
-    if (mass_) questions_.mass_units = "--mass is in kg and --offset in m";
+    if (mass_) questions_.source = "--mass is in kg and --offset in m";
     if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down needs --patch and --mass");
     results.warn_idle({{"--gravity", !fingers_ && !mass_ && !offset_}}, "hold without --mass");
     results.warn_idle({{"--law", patch_.empty() && law_if_needed(nullptr, kind, torsion_.mu_r.has_value()) != nullptr &&

@@ -200,6 +200,7 @@ eq. 7).)",
                             " s on: " + std::string(to_string(fault)) + "; a smaller --time-step may help");
     }
     if (radius_law_) questions_.radii(settings_.radius_law, loads);
+    questions_.source = "loads must be in newtons, and --mass in kg";
     questions_.load(loads[1]);
     results.messages->say(questions_.lines());
   }

@@ -403,10 +403,11 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
     if (loads[1] == 0.0) loads.fill(std::clamp(1.0, first, last));
     if (replay_.projection != Projection::closest_point) {
       note_stiffnesses(*results.messages, "--projection " + std::string(to_string(replay_.projection)), replay_.finger,
-                       replay_.law->moment_ratio(), std::span(&loads[1], 1));
                        damped > 0 ? std::exp(logarithms / static_cast<double>(damped)) : 0.0,
+                       replay_.law->moment_ratio(), std::span(&loads[1], 1));
     }
     UnitChecks questions = trace.questions();
+    questions.source = "it is --stiffness times the depth, and --units length=mm converts millimetres";
     questions.load(loads[1]);
     if (radius_law_) questions.radii(replay_.finger.radius_law, loads);
     results.messages->say(questions.lines());
