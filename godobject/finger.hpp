@@ -38,10 +38,10 @@ struct FingerParameters {
   /// springs no stiffer than the contact makes the trial fall by at least 0.5 of the gap. With 0, the finger rests as
   /// soon as the trial is within the sliding limit.
   double rest_margin = 0.4;
-  /// Largest speed of the finger [m/s] > 0. A sample is taken for a device fault, and `invalid`, if it lies farther
-  /// from the last good one than this times the time since then: the sum of the time steps between, at least 1 ms. If
-  /// the next sample stays near the refused one, it is accepted. The default is above what hands (2 m/s, ISO 13855)
-  /// and Franka's arms (3 m/s) reach; ∞ accepts every sample.
+  /// Largest speed of the finger past the body [m/s] > 0. A sample is taken for a device fault, and `invalid`, if it
+  /// lies farther from the last good one than this times the time since then: the sum of the time steps between, at
+  /// least 1 ms. If the next sample stays near the refused one, it is accepted. The default is above what hands (2 m/s,
+  /// ISO 13855) and Franka's arms (3 m/s) reach; ∞ accepts every sample.
   double max_speed = 5.0;
   /// How fast the output fades during faults ∈ [0, 1]: each invalid sample after the first multiplies load, force and
   /// moment by this factor. The default leaves a tenth after 45 samples; 1 holds them forever.
@@ -95,7 +95,7 @@ constexpr std::string_view to_string(Fault fault) noexcept {
       "the orientation is not of unit length",
       "the normal is not of unit length",
       "the time goes back or is not finite",
-      "the finger moved faster than the maximum speed",
+      "the finger moved faster than the maximum speed past the body",
       "the body's pose is not finite, beyond 1e6 m, or not of unit length",
       "the force or the moment on the body is not finite, or would move it beyond 1e6"};
   return reasons[static_cast<std::size_t>(fault)];

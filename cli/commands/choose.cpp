@@ -157,7 +157,7 @@ appears if k_r/k_l is more than ten times above or below (mu_r/mu_l)^2, the rati
     finger.mu_r = scene_.mu_r;
     finger.stiffness = scene_.stiffness;
     finger.twist_stiffness = scene_.twist_stiffness;
-    note_stiffnesses(*results.messages, "the radial projection", finger, law_->moment_ratio(),
+    note_stiffnesses(*results.messages, "the radial projection", finger, 0.0, law_->moment_ratio(),
                      std::array{scene_.least_load, scene_.most_load});
   }
 

@@ -116,7 +116,7 @@ gravity pulls along --down, and the centre of mass is --offset from the origin t
     if (data_.empty() && columns_.least_load) throw std::invalid_argument("--least-load needs --data");
     if (mass_ && columns_.given())
       throw std::invalid_argument("--units has no effect on --mass and --offset, which are in kg and m: leave it out");
-    if (mass_) questions_.mass_units = "--mass is in kg and --offset in m";
+    if (mass_) questions_.source = "--mass is in kg and --offset in m";
     if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down needs --patch and --mass");
     results.warn_idle({{"--gravity", !fingers_ && !mass_ && !offset_}}, "hold without --mass");
     results.warn_idle({{"--law", patch_.empty() && law_if_needed(nullptr, kind, torsion_.mu_r.has_value()) != nullptr &&
@@ -206,9 +206,13 @@ gravity pulls along --down, and the centre of mass is --offset from the origin t
       }
       const double hold = least(need);
       questions_.load(hold);
-      if (hold > 0.0 && std::isfinite(hold)) loads_ = {std::min(loads_[0], hold), std::max(loads_[1], hold)};
+      const auto use = [this](double one) { loads_ = {std::min(loads_[0], one), std::max(loads_[1], one)}; };
+      if (hold > 0.0 && std::isfinite(hold)) use(hold);
       const auto margin = [&] {
-        return hold == 0.0 ? 1.0 : *load == 0.0 || mu_ == 0.0 ? 0.0 : std::max(0.0, 1.0 - gauge(need, *load));
+        if (hold == 0.0) return 1.0;
+        if (*load == 0.0 || mu_ == 0.0) return 0.0;
+        use(*load);
+        return std::max(0.0, 1.0 - gauge(need, *load));
       };
       list.write(rows, {need, hold, load ? margin() : 0.0, error ? error(need, hold) : 0.0});
     };
@@ -263,7 +267,7 @@ gravity pulls along --down, and the centre of mass is --offset from the origin t
   std::vector<double> down_;
   double gravity_ = 9.81;
   UnitChecks questions_;
-  std::array<double, 2> loads_{std::numeric_limits<double>::infinity(), 0.0};  ///< smallest and largest that hold
+  std::array<double, 2> loads_{std::numeric_limits<double>::infinity(), 0.0};  ///< smallest and largest with a radius
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace limitcurve::cli {
@@ -171,14 +172,15 @@ eq. 7).)",
     results.warn_idle(
         {{"--law", !radius_law_ && (is_ellipse || curve == CurveKind::box)},
          {"--tolerance", curve != CurveKind::table},
-         // In units of the standard k_r the ellipse is a circle, onto which all projections are one.
-         {"--projection", is_ellipse && !radius_law_ && !settings_.twist_stiffness && !settings_.mu_r_dynamic}},
+         // In units of the standard k_r and b_r the ellipse is a circle, onto which all projections are one.
+         {"--projection", is_ellipse && !radius_law_ && !settings_.twist_stiffness && !settings_.twist_damping &&
+                              !settings_.mu_r_dynamic}},
         "pivot with this limit curve");
     describe(*results.messages, pivot);
     Rows rows(results, {"time", "x", "y", "angle", "grip_slip", "load", "friction_force", "friction_moment", "state",
                         "cor", "r", "rho", "trial_r", "trial_rho"});
     std::size_t step = 0;
-    std::array loads{pivot.row().load, pivot.row().load};
+    std::array loads{std::numeric_limits<double>::infinity(), 0.0};
     godobject::Fault fault = godobject::Fault::none;
     double since = 0.0;
     do {
@@ -186,11 +188,11 @@ eq. 7).)",
         fault = pivot.row().fault;
         since = pivot.row().time;
       }
-      if (step++ % every_ != 0) continue;
       const godobject::PivotRow& row = pivot.row();
+      if (row.load > 0.0) loads = {std::min(loads[0], row.load), std::max(loads[1], row.load)};
+      if (step++ % every_ != 0) continue;
       rows.row(row.time, row.x, row.y, row.angle, row.grip_slip, row.load, row.friction_force, row.friction_moment,
                godobject::to_string(row.state), row.cor, row.r, row.rho, row.trial_r, row.trial_rho);
-      if (row.load > 0.0) loads = {std::min(loads[0], row.load), std::max(loads[1], row.load)};
     } while (pivot.step());
     rows.finish();
     if (fault != godobject::Fault::none) {
@@ -198,6 +200,7 @@ eq. 7).)",
                             " s on: " + std::string(to_string(fault)) + "; a smaller --time-step may help");
     }
     if (radius_law_) questions_.radii(settings_.radius_law, loads);
+    questions_.source = "loads must be in newtons, and --mass in kg";
     questions_.load(loads[1]);
     results.messages->say(questions_.lines());
   }

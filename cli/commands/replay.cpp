@@ -136,7 +136,7 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
     options.named("--curve", replay_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind,
                   "Limit curve: {}");
     options.named("--projection", replay_.projection, godobject::projection_names, godobject::parse_projection,
-                  "How slip returns to the curve: {}; radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2");
+                  "How slip returns to the curve: {}; radial and c-curve assume k_r/k_l = b_r/b_l = (mu_r/mu_l)^2");
     options.number("--tolerance", replay_.tolerance, positive, "Error of the table, in unit wrenches");
     options.value(
         "--surface", "SURFACE",
@@ -248,34 +248,52 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
                  " N s/m and b_r = " + format_number(twist, 3) + " N m s/rad");
   }
 
+  /// Names the step that needs most, unless all are even but for their rounding: a long one, or one that holds the
+  /// damper's force of a shorter one.
+  [[nodiscard]] std::string worst_step(const std::vector<double>& steps, const std::vector<double>& ends) const {
+    const godobject::FingerParameters& finger = replay_.finger;
+    const bool slides = device_->sliding <= device_damping_needed(finger, steps, delay_).sliding;
+    const double stiffness = slides ? finger.stiffness : finger.twist_stiffness;
+    const double damping = slides ? finger.damping : finger.twist_damping;
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 0.0;
+    double most = 0.0;
+    std::string text;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (std::isinf(steps[i])) continue;
+      shortest = std::min(shortest, steps[i]);
+      longest = std::max(longest, steps[i]);
+      const double times = i > 0 ? steps[i] / steps[i - 1] : 1.0;
+      const double needed = (delay_ + 0.5) * stiffness * steps[i] + damping * std::sqrt(times);
+      if (needed <= most) continue;
+      most = needed;
+      text = "; the step that needs most ends at " + format_number(ends[i]) + " s";
+      if (damping > 0.0 && times > 1.01)
+        text += " and is " + format_number(times, 3) + " times as long as the one before it";
+    }
+    return longest < 1.01 * shortest ? "" : text;
+  }
+
   /// Checks the steps that the replay makes. The finger's parameters are good.
   void check_gains(const std::vector<Sample>& samples, Messages& messages) const {
     godobject::SampleClock clock;
     std::vector<double> steps;
-    double shortest = std::numeric_limits<double>::infinity();
-    double longest = 0.0;
-    double end_of_longest = 0.0;
+    std::vector<double> ends;
     std::size_t gaps = 0;
     for (const Sample& sample : samples) {
       const double step = clock.step(sample.time);
-      if (!(step > 0.0)) continue;  // the first sample, or a refused one
+      if (!(step >= godobject::shortest_time_step)) continue;  // the first sample, a refused one, or no damper acts
       const bool is_gap = step > godobject::Replay::longest_step;
       steps.push_back(is_gap ? std::numeric_limits<double>::infinity() : step);
+      ends.push_back(sample.time);
       gaps += is_gap;
-      if (is_gap) continue;
-      shortest = std::min(shortest, step);
-      if (step <= longest) continue;
-      longest = step;
-      end_of_longest = sample.time;
     }
-    if (longest == 0.0)
+    if (gaps == steps.size())
       throw std::invalid_argument("--check-gains: the trace has no time steps up to 1 s: add T=SECONDS");
     try {
       require_passive(steps, messages);
     } catch (const std::invalid_argument& error) {
-      if (longest < 1.01 * shortest) throw;  // even steps, but for their rounding
-      throw std::invalid_argument(std::string(error.what()) + "; the longest step ends at " +
-                                  format_number(end_of_longest) + " s");
+      throw std::invalid_argument(error.what() + worst_step(steps, ends));
     }
     if (gaps > 0) {
       messages.say("limitcurve: note: --check-gains: " + std::to_string(gaps) +
@@ -299,9 +317,16 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
     godobject::Replay replay(replay_);
     godobject::SampleClock clock;
     std::vector<Sample> ahead;
+    // The usual step is the geometric mean of those with dampers, which neither gaps nor near-duplicates decide.
+    double logarithms = 0.0;
+    std::size_t damped = 0;
     const auto next = [&] {
       if (!trace.next()) return false;
       const double step = clock.step(trace.time());
+      if (step >= godobject::shortest_time_step) {
+        logarithms += std::log(step);
+        ++damped;
+      }
       if (is_free && step > godobject::Replay::longest_step) {
         throw trace.complaint("a gap of " + format_number(step) + " s, expected at most " +
                               format_number(godobject::Replay::longest_step) + " s for a free body");
@@ -373,13 +398,16 @@ A patch is fixed to the finger and turns with angle; cor is measured from its ce
           " s: " + std::string(to_string(fault)) +
           (fault == godobject::Fault::time_step ? ", after " + format_number(samples.after) + " s" : ""));
     }
-    // Without any contact, check at 1 N.
-    if (loads[1] == 0.0) loads = {1.0, 1.0};
+    // Without any contact, check at 1 N, or at the nearest load that the radius was measured at.
+    const auto [first, last] = replay_.finger.radius_law.sampled_loads();
+    if (loads[1] == 0.0) loads.fill(std::clamp(1.0, first, last));
     if (replay_.projection != Projection::closest_point) {
       note_stiffnesses(*results.messages, "--projection " + std::string(to_string(replay_.projection)), replay_.finger,
+                       damped > 0 ? std::exp(logarithms / static_cast<double>(damped)) : 0.0,
                        replay_.law->moment_ratio(), std::span(&loads[1], 1));
     }
     UnitChecks questions = trace.questions();
+    questions.source = "it is --stiffness times the depth, and --units length=mm converts millimetres";
     questions.load(loads[1]);
     if (radius_law_) questions.radii(replay_.finger.radius_law, loads);
     results.messages->say(questions.lines());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/stiffness_check.hpp"
 
+#include "godobject/finger/springs.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
@@ -19,12 +20,14 @@ double moment_arm(const godobject::FingerParameters& finger, double moment_ratio
 }  // namespace
 
 void note_stiffnesses(Messages& messages, const std::string& subject, const godobject::FingerParameters& finger,
-                      double moment_ratio, std::span<const double> loads) {
+                      double time_step, double moment_ratio, std::span<const double> loads) {
   constexpr double far = 10.0;
   double farthest = far;
   double worst_load = 0.0;
   double worst_arm = 0.0;
-  const double ratio = finger.twist_stiffness / finger.stiffness;
+  const godobject::Springs springs(finger, time_step);
+  const bool is_damped = springs.relaxed_fraction > 0.0 || springs.twist_relaxed_fraction > 0.0;
+  const double ratio = springs.twist_stiffness / springs.stiffness;
   for (const double load : loads) {
     const double arm = moment_arm(finger, moment_ratio, load);
     // Without torsion every projection limits the force alone.
@@ -38,10 +41,13 @@ void note_stiffnesses(Messages& messages, const std::string& subject, const godo
   if (worst_load == 0.0) return;
   const double times = ratio / (worst_arm * worst_arm);
   messages.say("limitcurve: note: with " + subject + " a finger that slides and twists has almost no friction " +
-               (times > 1.0 ? "force" : "moment") + " here, because k_r/k_l is " + format_number(times, 2) +
+               (times > 1.0 ? "force" : "moment") + " here, because " +
+               (is_damped ? "(k_r + b_r/dt)/(k_l + b_l/dt)" : "k_r/k_l") + " is " + format_number(times, 2) +
                " times (mu_r/mu_l)^2 (at " + format_number(worst_load, 2) + " N, mu_r/mu_l = " +
-               format_number(worst_arm, 2) + " m). Use --projection closest-point, or --twist-stiffness " +
-               format_number(worst_arm * worst_arm * finger.stiffness, 2));
+               format_number(worst_arm, 2) + " m" + (is_damped ? ", dt = " + format_number(time_step, 2) + " s" : "") +
+               "). Use --projection closest-point, or --twist-stiffness " +
+               format_number(worst_arm * worst_arm * finger.stiffness, 2) +
+               (is_damped ? " --twist-damping " + format_number(worst_arm * worst_arm * finger.damping, 2) : ""));
 }
 
 }  // namespace limitcurve::cli

@@ -20,7 +20,7 @@ void UnitChecks::load(double load) {
   if (load > most && std::isfinite(load))
     note(loads_, [&] {
       return "a load of " + format_number(load, 6) + " N is unusual for a finger; " +
-             (mass_units.empty() ? "hold, fit and replay convert millinewtons by --units force=mN" : mass_units);
+             (source.empty() ? "hold and fit convert millinewtons by --units force=mN" : source);
     });
 }
 
@@ -30,7 +30,7 @@ void UnitChecks::wrench(double force, double moment) {
   note(wrenches_, [&] {
     return "a moment of " + format_number(moment, 6) + " N m with a force of " + format_number(force, 6) +
            " N has an arm of more than 0.2 m; " +
-           (mass_units.empty() ? "hold and fit convert N mm by --units moment=Nmm" : mass_units);
+           (source.empty() ? "hold and fit convert N mm by --units moment=Nmm" : source);
   });
 }
 

@@ -33,8 +33,8 @@ class UnitChecks {
   /// The longest side [m] of `what`: above 0.5 m.
   void length(const std::string& what, double across);
 
-  /// The units of a mass, if that is what the loads and wrenches are from.
-  std::string mass_units = {};
+  /// What the loads and wrenches are from, and its units, if it is not forces in a file.
+  std::string source = {};
 
   /// "warning: …", one line each.
   [[nodiscard]] std::vector<std::string> lines() const;

@@ -78,6 +78,7 @@ Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurfac
       last_devices_(fingers_.size()),
       between_(fingers_.size()),
       friction_(fingers_.size()),
+      elapsed_(fingers_.size()),
       gyration_(std::sqrt(parameters.inertia.mean() / parameters.mass)) {
   parameters_.validate();
   if (!make_unit(state_.orientation))
@@ -212,7 +213,7 @@ void Grasp::commit(std::span<const DevicePose> devices, double time_step, bool c
     }
     const FingerOutput before = finger.output();
     dissipated_ += finger.update(surface_, to_body(state_, devices[i]), time_step).slip_work;
-    if (double& elapsed = finger.state_.faults.elapsed; std::isinf(elapsed)) elapsed = time_step;
+    if (double& elapsed = finger.state_.faults.elapsed; std::isinf(elapsed)) elapsed = elapsed_[i] + time_step;
     if (!continues) continue;
     FingerOutput& now = finger.state_.output;
     now.slip_work += before.slip_work;
@@ -225,15 +226,20 @@ void Grasp::commit(std::span<const DevicePose> devices, double time_step, bool c
 
 /// A refused step: nothing moves, and every finger holds its last output.
 void Grasp::mark_invalid(Fault fault, double time_step) noexcept {
-  for (SoftFinger& finger : fingers_) finger.mark_invalid(fault, time_step);
+  for (std::size_t i = 0; i < fingers_.size(); ++i) {
+    if (double& elapsed = fingers_[i].state_.faults.elapsed; std::isinf(elapsed)) elapsed = elapsed_[i];
+    fingers_[i].mark_invalid(fault, time_step);
+  }
 }
 
 /// A body may leave a device behind at any speed: so its own motion tells a jump, in the frame of the body before the
-/// step. Other samples pass at any speed, which an infinite time allows.
+/// step. Other samples pass at any speed, which an infinite time allows; one that is bad for another reason gets its
+/// time back.
 void Grasp::compare_places(std::span<const DevicePose> devices, double time_step) noexcept {
   for (std::size_t i = 0; i < fingers_.size() && i < devices.size(); ++i) {
     const DevicePose device = to_body(state_, devices[i]);
     FingerState& state = fingers_[i].state_;
+    elapsed_[i] = state.faults.elapsed;
     // After a bad sample the body has moved on since the last good one.
     const double body_speed = state.faults.elapsed > 0.0
                                   ? state_.velocity.norm() + state_.angular_velocity.norm() * device.position.norm()

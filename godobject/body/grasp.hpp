@@ -141,6 +141,7 @@ class Grasp {
   std::vector<DevicePose> last_devices_;          // of the last step, for its first `last_count_` fingers
   std::vector<DevicePose> between_;               // at the end of a part of a step
   std::vector<FrictionMemory<double>> friction_;  // of the fingers, before a step is tried
+  std::vector<double> elapsed_;                   // of their faults, before `compare_places` [s]
   double gyration_;                               // radius of gyration [m]
   std::size_t last_count_ = 0;
   double dissipated_ = 0.0;

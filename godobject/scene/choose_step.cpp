@@ -68,8 +68,10 @@ class Drive {
 
   /// The friction at the samples of the test motion, with `substeps` steps from one to the next. The load changes in
   /// the first of these steps.
-  [[nodiscard]] Record operator()(const FingerCurve& curve, Projection projection, const FingerParameters& parameters,
+  [[nodiscard]] Record operator()(const FingerCurve& curve, Projection projection, FingerParameters parameters,
                                   int substeps = 1) const {
+    parameters.stiffness *= walk_.stiffening;
+    parameters.twist_stiffness *= walk_.stiffening;
     Record record;
     record.reserve(walk_.samples.size());
     SoftFinger finger(curve, parameters, projection);
@@ -79,7 +81,7 @@ class Drive {
       for (int i = 1; i <= substeps; ++i) {
         const double fraction = static_cast<double>(i) / substeps;
         const Eigen::Vector3d point(std::lerp(from.x, to.x, fraction), std::lerp(from.y, to.y, fraction), 0.0);
-        output = finger.update({point, Eigen::Vector3d::UnitZ(), to.load / scene_.stiffness},
+        output = finger.update({point, Eigen::Vector3d::UnitZ(), to.load / parameters.stiffness},
                                std::lerp(from.twist, to.twist, fraction));
       }
       const double force = scene_.mu * to.load;
@@ -167,6 +169,7 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   const double m0 = exact.moment_ratio();
   const Drive drive(scene, m0);
   const FingerParameters true_finger = parameters_of(scene);
+  static_cast<void>(ContactLimits(true_finger, m0));
   // An error ε of f and m is an error of at most ε(1 + 1/m₀) of the limits; the error of a table is its tolerance times
   // max(1, m₀). Count it in full: the test motion may have missed its maximum.
   const double per_table_error = 1.0 + 1.0 / m0;

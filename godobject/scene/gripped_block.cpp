@@ -42,10 +42,11 @@ void GrippedBlock::take(double load) noexcept {
 }
 
 void GrippedBlock::step(double load, double time_step) noexcept {
-  // The depth at which spring and damper together give that load.
+  // The depth at which spring and damper together give that load. After a bad step no damper acts.
   const FingerParameters& finger = grasp_.finger(0).parameters();
   if (time_step > 0.0 && is_time_step(time_step) && std::isfinite(load)) {
-    const double rate = finger.damping / time_step;
+    const bool is_damped = time_step >= shortest_time_step && grasp_.finger(0).output().state != ContactState::invalid;
+    const double rate = is_damped ? finger.damping / time_step : 0.0;
     depth_ = load > 0.0 ? (load + rate * depth_) / (finger.stiffness + rate) : 0.0;
   }
   // A load that is not finite is a force that is none.

@@ -83,8 +83,13 @@ void require(std::string_view channel, std::string_view units, double stiffness,
     text.append(" and a delay of ").append(std::to_string(delay)).append(delay == 1 ? " sample" : " samples");
   text.append(" need a device damped by more than ").append(number(needed)).append(1, ' ').append(units);
   text.append(", got ").append(number(device)).append("; expected ");
-  text.append(bearable > 0.0 ? "a stiffness below " + number(bearable) : "less damping and stiffness")
-      .append(", or a shorter sample time");
+  text.append(bearable > 0.0 ? "a stiffness below " + number(bearable) : "less damping and stiffness");
+  // Of even steps each needs at least |b|, however short.
+  if (!all.are_even() && device > device_damping_needed(stiffness, damping, all.longest, delay)) {
+    text.append(", or time steps that differ less");
+  } else if (device > std::fabs(damping)) {
+    text.append(", or a shorter sample time");
+  }
   throw std::invalid_argument(text);
 }
 

@@ -48,6 +48,13 @@ Reach reach(const Scene& scene, double moment_ratio, double load) {
   return {radius, shorter, longer};
 }
 
+/// Whether the longest legs have too few steps for their twists, or all together may leave where fingers are valid.
+bool is_too_far(const Scene& scene, const Reach& reach) {
+  const double length = 5.0 * reach.longer;
+  return length > most_steps * largest_twist_step * reach.radius || length * legs > 5e5 ||
+         scene.most_load / scene.stiffness > 5e5;
+}
+
 /// The change of the load in a leg.
 struct LoadChange {
   double load;     ///< at the end [N]
@@ -79,12 +86,20 @@ double largest_moment(const Scene& scene, double moment_ratio, double load) {
   return scene.mu_r ? *scene.mu_r * load : moment_ratio * scene.mu * load * scene.radius_law.radius(load);
 }
 
-SceneWalk walk(const Scene& scene, double moment_ratio) {
+SceneWalk walk(const Scene& given, double moment_ratio) {
   using std::numbers::pi;
+  Scene scene = given;
+  SceneWalk result;
+  // Powers of two change no bit of a wrench.
+  while (is_too_far(scene, reach(scene, moment_ratio, scene.most_load))) {
+    result.stiffening *= 2.0;
+    scene.stiffness *= 2.0;
+    scene.twist_stiffness *= 2.0;
+    for (double* const way : {&scene.slide, &scene.slide_speed, &scene.twist, &scene.twist_rate}) *way *= 0.5;
+  }
   const bool slides = scene.slide_speed > 0.0 && scene.slide > 0.0;
   const bool twists = scene.twist_rate > 0.0 && scene.twist > 0.0;
   RandomNumbers random;
-  SceneWalk result;
   WalkSample at{0.0, 0.0, 0.0, scene.most_load};
   result.samples.push_back(at);
   double direction = 0.0;

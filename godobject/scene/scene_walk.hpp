@@ -21,6 +21,9 @@ struct SceneWalk {
   /// The largest ratio of the scene's sample time to that of the test motion, ∈ (0, 1]. Friction does not depend on
   /// rates, so a finely sampled motion is tested with larger steps along the same path.
   double finest_step = 0.0;
+  /// The test motion is of springs that are so many times as stiff as the scene's, which slide and twist so many times
+  /// less far to the same wrenches: very soft ones would leave the 1e6 m and rad where fingers are valid.
+  double stiffening = 1.0;
 };
 
 /// Γ, the largest friction moment at a load [N m]; `moment_ratio` is the law's m₀.

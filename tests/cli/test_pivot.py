@@ -4,7 +4,7 @@
 import math
 import unittest
 
-from command_line import CommandLineTest, data, rows, run
+from command_line import CommandLineTest, data, rows, run, table
 
 CASES = ["coupled", "uncoupled", "exact"]
 
@@ -111,6 +111,13 @@ class Pivot(CommandLineTest):
         self.assertEqual(run("pivot", "--projection", "closest-point", *release).stdout, text["exact"])
         own = ["--curve", "ellipse", "--projection", "radial"]
         self.assertEqual(run("pivot", *own, "--case", "exact", *release).stdout, text["coupled"])
+        # On a circle all projections are one, but dampers may make it an ellipse.
+        for damper, is_idle in ([], True), (["--twist-damping", "0"], False):
+            radial, closest = (run("pivot", "--case", "coupled", "--projection", projection, *release, *damper)
+                               for projection in ("radial", "closest-point"))
+            slips = [table(done.stdout)[-1]["grip_slip"] for done in (radial, closest)]
+            self.assertEqual(["--projection has no effect" in radial.stderr, abs(slips[0] - slips[1]) < 1e-9],
+                             [is_idle] * 2)
         done = run("pivot", "--curve", "exact", *release)
         self.assertRegex(done.stderr, r"\Alimitcurve: exact: a table with an error of at most \S+ in unit wrenches\n\Z")
         self.assertNotEqual(done.stdout, text["exact"])

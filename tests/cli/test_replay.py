@@ -97,6 +97,15 @@ class Replays(CommandLineTest):
         # A contact too large for its twist stiffness: the moment is what is lost.
         self.assertIn("almost no friction moment",
                       self.settled("0.02", "--projection", "radial", "--curve", "table")[1])
+        # Dampers count with the springs: (F/mu P)^2 + (M/Gamma)^2 = 1 on the ray F/M = c k_l'/k_r', k' = k + b/dt.
+        for b, b_r, is_far in (3.6, 0, True), (3.6, 1e-3, False), (0, 4e-3, True):
+            slope = 0.005 * (1000 + b / 1e-3) / (0.036 + b_r / 1e-3)
+            force, told = self.settled("0.01", "--curve", "ellipse", "--projection", "radial", "--damping", b,
+                                       "--twist-damping", b_r)
+            self.assert_close(force, 1 / math.hypot(1 / 0.6, 1 / (slope * 0.01)), 1e-3, b)
+            self.assertEqual("dt = 0.001 s). Use --projection closest-point, or --twist-stiffness 0.28 --twist-damping "
+                             f"{b / 3600:.2g}" in told, is_far, told)
+            self.assertEqual(f"almost no friction {'moment' if b else 'force'}" in told, is_far, told)
 
     def test_the_note_is_about_the_largest_load(self):
         # a^2 grows by 100^(2/3) = 22 from 0.02 to 2 N: right at 2 N, wrong at 0.02 N.
@@ -124,7 +133,7 @@ class Replays(CommandLineTest):
             "limitcurve: note: 1 sample is invalid, the first at 0.001 s: the time goes back or is not finite, after "
             "0.005 s",
             "limitcurve: note: 2 samples are invalid, the first at 0.004 s: the finger moved faster than the maximum "
-            "speed"
+            "speed past the body"
         ])
         self.assertEqual(run("replay", "--quiet", "--trace", self.directory / "trace.csv", *FINGER).stderr, "")
         # A fault of a finger names it, but one of the time does not.
@@ -180,9 +189,11 @@ class Files(CommandLineTest):
             self.assertEqual(run(*jitter, device, input=text).returncode, status)
         # A stamp that goes back is refused, and the step counts from the last good one.
         for times, told in (([0, 1e-3, 2e-4, 3e-3], "1 sample is invalid"),
+                            ([0, 1e-3, 1e-3 + 1e-10, 2e-3], "the gains need b = 0.9 N s/m"),
                             ([0, 2, 4, 4.001], "--check-gains: 2 steps of more than 1 s are not checked")):
             trace = self.trace((time, 0, 0, -0.001, 0) for time in times)
-            self.assertIn(told, self.succeed("replay", "--trace", trace, *FINGER, "--check-gains", "b=1.01").stderr)
+            self.assertIn(told, self.succeed("replay", "--trace", trace, *FINGER, "--damping", "0.4", "--check-gains",
+                                             "b=1.41").stderr)
 
 
 class Scenes(CommandLineTest):

@@ -61,10 +61,10 @@ class Units(CommandLineTest):
             ("translate $LAW --load 400", "a load of 1600 N"),
             ("eval --law hertz --c 1 --load 2000", "a load of"),
             ("choose --law hertz --tolerance 0.5 --scene --loads 500,2000", "a load of"),
-            (f"pivot --case exact --duration 0.01 --grip {grip}", "a load of 2000 N"),
+            (f"pivot --case exact --duration 0.01 --grip {grip}", "N is unusual for a finger; loads must be"),
             (f"{coupled} target=30", "target = 30 rad is more than a turn"), (f"{coupled} target=30deg",),
             (f"{coupled} target=400deg",), (f"{replay} {turned}", "the twist changes by 30 rad up to time 0.1 s"),
-            (f"{replay} {wraps}",), (f"{replay} {deep}", "a load of 2000 N"),
+            (f"{replay} {wraps}",), (f"{replay} {deep}", "a load of 2000 N is unusual for a finger; it is --stif"),
             (f"{replay} {stamps}", "the time steps exceed 1 s in 3 of 3 rows"),
             (f"{replay} {stamps} --units time=1e-9",),
             (f"{replay} {wraps} --surface sphere:radius=25", "50 m across: lengths must be", "a load of 24999 N"),
@@ -89,12 +89,20 @@ class Units(CommandLineTest):
             common = ["--law", "hertz", "--radius-law", law, "--mu", "0.5"]
             ends = loads.split(",")
             trace = self.trace((i / 1000, 0, 0, -float(load) / 1000, 0) for i, load in enumerate(ends))
+            held = self.csv("held.csv", "force,moment,load", [(0.6, 1e-4, float(load)) for load in ends])
             for call in (["p-curves", "--loads", loads], ["c-curves", "--loads", loads, "--cors", "0,0.001,inf"],
                          ["translate", "--load", ends[0], "--loads", loads], ["replay", "--trace", trace, *SPRINGS],
+                         ["hold", "--data", held],
                          ["choose", "--tolerance", "0.5", "--scene", "--loads", loads]):
                 said = self.asked(*call, *common)
                 self.assertEqual(len(said), told != "", (call, law, said))
                 self.assertIn(told, "".join(said))
+        # A grip that begins at 0, and a finger that never touches.
+        grip = ["--release", "from=0,to=3,over=0.01", "--duration", "0.01", "--radius-law", samples]
+        self.assertIn(beyond, self.asked("pivot", "--case", "exact", *grip)[-1])
+        late = "samples:" + str(self.file("late.csv", "load,radius\n2,0.004\n4,0.005\n"))
+        above = ["replay", *SPRINGS, "--trace", self.trace([(0, 0, 0, 0.01, 0)]), "--law", "hertz", "--mu", "0.5"]
+        self.assertEqual(self.asked(*above, "--radius-law", late), [])
         # What is fitted, too.
         for scale in (1, 1e-3):
             radii = [(load, scale * 4 * load ** 0.3) for load in [1, 2, 4, 8]]

@@ -231,6 +231,33 @@ TEST(Grasp, ABodyThatFallsIsNoJumpOfTheDevice) {
   EXPECT_NEAR(grasp.body().orientation.norm(), 1.0, 1e-15);
 }
 
+// Whatever refuses its samples, a finger's time since the last good one is the sum of the steps.
+TEST(Grasp, AFaultLastsAsLongAsItsSteps) {
+  BodyParameters body = BodyParameters::block(0.1, edges);
+  body.gravity.setZero();
+  FingerParameters with = parameters();
+  with.max_speed = FingerParameters{}.max_speed;
+  Grasp grasp = make_grasp(body, edges, with, ellipse, 1);
+  DevicePose device{{0.0, 0.0, 0.5}};
+  const FingerState& state = grasp.finger(0).state();
+  const auto step = [&](double force) { grasp.step({&device, 1}, 1e-3, {force, 0.0, 0.0}); };
+  step(0.0);
+  device.twist = 2e6;
+  for (int i = 1; i <= 200; ++i) {
+    device.position.x() = 2e-3 * i;  // at 2 m/s
+    step(0.0);
+    EXPECT_NEAR(state.faults.elapsed, 1e-3 * i, 1e-12);
+  }
+  device.twist = 0.0;
+  step(9e7);  // to 9e5 m/s
+  EXPECT_EQ(state.output.fault, Fault::none);
+  for (int i = 1; i <= 2; ++i) {
+    step(9e7);
+    EXPECT_EQ(state.output.fault, Fault::body);
+    EXPECT_NEAR(state.faults.elapsed, 1e-3 * i, 1e-12);
+  }
+}
+
 // What comes after a reset is what comes after construction, to the bit; `place` keeps the springs of fingers that
 // touch.
 TEST(Grasp, ResetStartsAnew) {

@@ -89,6 +89,23 @@ TEST(ChooseStep, UnitsOfLengthDoNotMatter) {
   }
 }
 
+// All springs 2^30 times as soft, all motions as much faster: the same wrenches. Beyond 1e6 m and rad fingers are
+// invalid, and all models seemed right.
+TEST(ChooseStep, SoftSpringsOnlyTakeLongerWays) {
+  const StepChoice choice = choose_step(scene(), 0.01);
+  Scene soft = scene();
+  for (double* const spring : {&soft.stiffness, &soft.twist_stiffness}) *spring *= 0x1p-30;
+  for (double* const speed : {&soft.slide_speed, &soft.twist_rate}) *speed *= 0x1p30;
+  const StepChoice same = choose_step(soft, 0.01);
+  ASSERT_EQ(same.candidates.size(), choice.candidates.size());
+  for (std::size_t i = 0; i < choice.candidates.size(); ++i)
+    EXPECT_NEAR(same.candidates[i].error, choice.candidates[i].error, 1e-3) << choice.candidates[i].model;
+  EXPECT_EQ(same.chosen->finger.stiffness, soft.stiffness);
+  // A twist alone needs its moment, however far it must go.
+  soft.slide_speed = 0.0;
+  EXPECT_NEAR(choose_step(soft, 0.01).effects.torsion.largest, 1.0, 1e-9);
+}
+
 // Where k_r is soft, what a table is off by changes the wrench by many times as much: a finer one costs the same.
 TEST(ChooseStep, ATableIsAsFineAsItMustBe) {
   Scene soft = scene();

@@ -200,6 +200,14 @@ TEST(Passivity, SaysWhatToChange) {
   };
   refused({0.65, 1.0}, sample_time, "more than 0.9 N s/m, got 0.65; expected a stiffness below 500");
   refused({0.3, 1.0}, sample_time, "less damping");
+  // What a shorter sample time does not mend.
+  EXPECT_TRUE(complaint([&] { require_passive(with, 1e-3, {0.3, 1.0}); }).ends_with("less damping and stiffness"));
+  constexpr double uneven[] = {1e-3, 1e-5, 1e-3};
+  EXPECT_TRUE(complaint([&] {
+                require_passive(with, uneven, {2.0, 1.0});
+              })
+                  .ends_with("more than 2.5 N s/m, got 2; expected less damping and stiffness, or time steps that "
+                             "differ less"));
   refused({1.0, 1e-5}, sample_time, "twist");
   refused({-1.0, 1.0}, sample_time, "damping of the device");
   refused({1.0, 1.0}, 0.0, "sample_time");
