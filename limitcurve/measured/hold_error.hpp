@@ -4,7 +4,6 @@
 #include "../contact/contact_friction.hpp"
 #include "../pressure_law.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace limitcurve {
@@ -36,7 +35,7 @@ double hold_error(const Curve& curve, const PressureLaw& law, const ContactFrict
     const double ratio = spin.error.moment / spin.wrench.moment;
     error.moment += touched.moment * ratio;
     if (!intercepts_only)
-      error.moment = std::min(error.moment, normal.cor() * (touched.force + error.force) * (1.0 + ratio));
+      error.moment = std::fmin(error.moment, normal.cor() * (touched.force + error.force) * (1.0 + ratio));
   }
   const double support = normal.slide * touched.force + normal.spin * touched.moment;
   const double growth = 1.0 + radius_law.exponent(load) * normal.spin * touched.moment / support;
