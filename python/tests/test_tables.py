@@ -58,9 +58,9 @@ def test_fit_of_a_curve_and_of_data(command_line, data):
 
 
 def test_what_a_fit_says(data, capfd):
-    slips = columns(data / "fit/slips.csv")
+    slips, model = columns(data / "fit/slips.csv"), {"fit_gamma": True, "loss": "cauchy"}
     with pytest.warns(UserWarning, match="far off the curve"):
-        fitted = lc.fit("ratio", slips, fit_gamma=True, loss="cauchy")
+        fitted = lc.fit("ratio", slips, **model)
     covariance = fitted.covariance
     assert list(fitted) == ["parameter", "value", "std_error", "unit", "note"] and fitted.note == fitted["note"][0]
     assert np.allclose(np.sqrt(np.diag(covariance)), fitted["std_error"], rtol=1e-12) and np.allclose(
@@ -73,7 +73,7 @@ def test_what_a_fit_says(data, capfd):
     assert list(residuals) == ["residual", "row"] and residuals.covariance is None
     assert lc.fit("ratio", slips, quiet=True).notes == [] and lc.fit("ellipse", law="hertz").covariance is None
     assert capfd.readouterr().err == ""
-    found = lc.run("fit", "ratio", data=slips, covariance=True, quiet=True)
+    found = lc.run("fit", "ratio", data=slips, covariance=True, quiet=True, **model)
     assert [name for name in found if name.startswith("cov")] == [f"covariance_{name}" for name in fitted["parameter"]]
 
 
