@@ -86,9 +86,9 @@ std::pair<std::array<CubicPieces::Mass, CubicPieces::order>, bool> CubicPieces::
   Extended lost = norm[0];
   Extended lost_moment = a[0] * norm[0];
   for (std::size_t found = 0; found < count; ++found) {
-    Extended x = 1;
+    Extended x = 2;  // beyond all roots: the largest may be 1, by which the search for the next divides
     Extended sum = 0;
-    Extended length = 3;  // more than the support's
+    Extended length = 6;  // more than the first step
     while (true) {
       std::array<Extended, 2> last{0, 0};  // a polynomial and its slope
       std::array<Extended, 2> next{1, 0};
