@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -61,11 +62,15 @@ SensorZero::SensorZero(const std::vector<std::vector<double>>& channels, std::sp
                                 loads.begin() + static_cast<std::ptrdiff_t>(last));
     const double level = middle_of(changes);
     for (double& load : changes) load = std::fabs(load - level);
-    // What lies far below was no load either: a light grip then passes for a part of the pauses beside it.
-    const auto run = loads.subspan(begin, length);
-    const auto lower =
-        std::count_if(run.begin(), run.end(), [&](double load) { return load < level - least_load - settled; });
-    if (middle_of(changes) > settled || static_cast<std::size_t>(lower) >= shortest_pause) ++unsettled_;
+    // What rests far below was no load either: a light grip then passes for a part of the pauses beside it. A skin that
+    // sticks pulls for a moment, without rest.
+    std::vector<double> lower;
+    std::copy_if(loads.begin() + static_cast<std::ptrdiff_t>(begin), loads.begin() + static_cast<std::ptrdiff_t>(end),
+                 std::back_inserter(lower), [&](double load) { return load < level - least_load - settled; });
+    const double rest = lower.empty() ? 0.0 : middle_of(lower);
+    const auto rests =
+        std::count_if(lower.begin(), lower.end(), [&](double load) { return std::fabs(load - rest) <= settled; });
+    if (middle_of(changes) > settled || static_cast<std::size_t>(rests) >= shortest_pause) ++unsettled_;
     for (std::size_t i = 0; i < channels.size(); ++i) {
       const std::span<const double> rows = std::span(channels[i]).subspan(first, last - first);
       levels_[i].push_back(middle_of({rows.begin(), rows.end()}));

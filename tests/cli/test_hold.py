@@ -55,13 +55,15 @@ class Hold(CommandLineTest):
         ramp = [0.12 * i for i in range(26)]
         for rest, drift, sign, noise, warned in (
             (15, 0.05, 1, 0.005, ""), (0, 0, 1, 0.005, "the load changes within"),
-            (5, 0, 1, 0.005, "the load changes within 5 of 6 pauses"),
+            (5, 0, 1, 0.005, "the load changes within 5 of 6 pauses"), (300, 0, 1, 0.005, ""),
             (15, 1.5, 1, 0.005, "drifts by .*: --least-load 1.69 finds 13"),
             (15, 0.05, -1, 0.005, r"Is the load's sign right \(or load=-load\)"),
             (15, 0.05, 1, 0.25, r"scatters by 0\.2.*: add --least-load 1\.")):
             loads = ([0] * rest + ramp[1:] + [3] * 50 + ramp[:0:-1]) * 12 + [0] * rest
             if rest == 5:  # pauses so short that light grips pass for them
                 loads = ([0] * 5 + [1] * 600 + [0] * 5 + [4] * 600) * 5 + [0] * 5
+            if rest == 300:  # a skin that sticks pulls at each release
+                loads = ([0] * 300 + [3] * 1200 + [-0.6, -0.75, -0.9, -1.05, -0.9, -0.75, -0.6]) * 6 + [0] * 300
             log = [(round(sign * load + drift * i / len(loads) + generator.gauss(0, noise), 3), 0.01, 0.001)
                    for i, load in enumerate(loads)]
             data = self.data("load,force,moment", log)
