@@ -276,7 +276,8 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_closest_point(double force, dou
   put("@ONSET@", is_single ? "1.0000038f" : "1.0 + 1e-12");
   // In float a little more, so that its rounding is above the error.
   const double error = is_single ? single_precision_error(table) * (1 + 1e-7) : table.checked_error();
-  put("@TOLERANCE@", literal(is_single ? std::max(table.tolerance(), error) : table.tolerance()));
+  put("@TOLERANCE@", literal(is_single ? std::max(table.tolerance(), error / std::max(1.0, table.moment_ratio()))
+                                       : table.tolerance()));
   put("@CHECKED@", literal(error));
   put("@PROFILE@", literal(table.profile_error()));
   put("@RATIO@", literal(table.moment_ratio()));

@@ -15,7 +15,7 @@ namespace limitcurve {
 /// `limitcurve_table_<law>_<first 8 digits of the checksum>`, which no other table has. `name` must be a C identifier
 /// that begins with a letter and has no double underscore. Otherwise this throws std::invalid_argument with the name.
 /// With `is_single` everything is in float. Then checked_error is `single_precision_error`, for a ratio of speeds that
-/// is a float, tolerance is at least that, and closest_point is within 5e-6.
+/// is a float, tolerance is at least that over max(1, m₀), and closest_point is within 5e-6.
 std::string to_header(const Table& table, std::string_view name = {}, bool is_single = false);
 
 /// Bound on the error in force and moment by a header in single precision: the error of the table and about
