@@ -88,7 +88,8 @@ void require(std::string_view channel, std::string_view units, double stiffness,
   if (!all.are_even() && device > device_damping_needed(stiffness, damping, all.longest, delay)) {
     text.append(", or time steps that differ less");
   } else if (device > std::fabs(damping)) {
-    text.append(", or a shorter sample time");
+    text.append(bearable > 0.0 || all.are_even() ? ", or a shorter sample time"
+                                                 : ", or shorter time steps that differ less");
   }
   throw std::invalid_argument(text);
 }

@@ -91,7 +91,9 @@ SceneWalk walk(const Scene& given, double moment_ratio) {
   Scene scene = given;
   SceneWalk result;
   // Powers of two change no bit of a wrench.
-  while (is_too_far(scene, reach(scene, moment_ratio, scene.most_load))) {
+  constexpr double stiffest = 0.5e15;  // half of what a finger takes
+  while (std::max(scene.stiffness, scene.twist_stiffness) <= stiffest &&
+         is_too_far(scene, reach(scene, moment_ratio, scene.most_load))) {
     result.stiffening *= 2.0;
     scene.stiffness *= 2.0;
     scene.twist_stiffness *= 2.0;

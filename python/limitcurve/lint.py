@@ -155,7 +155,8 @@ class Rows:
             why = str(error).partition("engine: ")[2]
             if not why:
                 raise
-            self.notes.append(why)
+            if why not in self.notes:
+                self.notes.append(why)
             return {}
         return dict(zip(table["parameter"], table["value"]))
 
