@@ -87,7 +87,7 @@ target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s,on-slide=regrip|keep].
 the block turns, keeps it turning, and grips again at the target angle, or (unless on-slide=keep) once the block has
 slid more than 2 mm and more than 20 mm per radian turned. Defaults: load=2*P0, rate=P0 and regrip-rate=10*P0 per
 second. Without any of these, the grip falls from P0 to P0/2 in 10 s. P0 is 0.5 N, or 1.3 times the load that an
-ellipse needs to hold the block if that is more.
+ellipse needs to hold the block, rounded up to two digits, if that is more.
 Columns: time [s], x and y [m] of the centre of mass from the grip point, angle [rad], grip_slip [m] (how far the
 block has slid past the fingers), load [N] of each finger, friction_force [N] and friction_moment [N m] of both
 fingers, state (stick|slip|free|invalid; a note gives the reason), cor [m] of the slip (nan without slip), r [m] and
