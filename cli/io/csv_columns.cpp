@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <stdexcept>
 
 namespace limitcurve::cli {
@@ -162,7 +163,9 @@ void CsvReader::check_moment() const {
     for (std::size_t i = 0; i < moment[0].size(); ++i) {
       std::vector<std::string> six{forces[0], forces[1], normal};
       for (std::size_t axis = 0; axis < 3; ++axis) six.push_back(with(moment[0], i, six[axis][at]));
-      if (std::all_of(six.begin(), six.end(), [&](const std::string& name) { return has(header_, name); }))
+      const std::set<std::string> names(six.begin(), six.end());
+      if (names.size() == six.size() && names.contains(moment[0]) &&
+          std::all_of(six.begin(), six.end(), [&](const std::string& name) { return has(header_, name); }))
         return say(listed(moment) +
                    " is about the sensor's axis; if the contact is elsewhere, name all six: " + listed(six));
     }
