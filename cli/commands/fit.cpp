@@ -238,11 +238,13 @@ ellipsoid sqrt(v^2 + m0^2 w^2) instead of H.
     const fit::Estimate* const mu = found.report.find(Role::force);
     const fit::Estimate* const mu_r = found.report.find(Role::moment);
     if (kind_ == fit::Kind::ratio && mu == nullptr) return;  // without mu there is no finger
-    const bool follows_outliers = found.report.scatter_refused && settings_.loss.kind == fit::Loss::Kind::squared;
-    if (found.report.gamma_refused || follows_outliers) {
-      const char* const free = kind_ == fit::Kind::load ? " --load-model power" : " --fit-gamma";
-      return say("note", std::string("the data reject this model, so no parameters are suggested; try again with") +
-                             (found.report.gamma_refused ? free : "") + (follows_outliers ? " --loss cauchy" : ""));
+    using Loss = fit::Loss::Kind;
+    std::string retry;
+    if (found.report.gamma_refused) retry += kind_ == fit::Kind::load ? " --load-model power" : " --fit-gamma";
+    if (found.report.scatter_refused && settings_.loss.kind == Loss::squared) retry += " --loss cauchy";
+    if (!retry.empty() || (found.report.scatter_refused && settings_.loss.kind == Loss::edge)) {
+      return say("note", "the data reject this model, so no parameters are suggested" +
+                             (retry.empty() ? "" : "; try again with" + retry));
     }
     const fit::Estimate* const fitted = found.report.find(Role::gamma);
     const double gamma = fitted != nullptr ? fitted->value : settings_.gamma;

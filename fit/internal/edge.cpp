@@ -378,7 +378,12 @@ ContactFit fit_edge(std::span<const Sample> samples, const ContactModel& model, 
   report.note = note_of(fit.model, options, all.size(), true) + "; " + std::to_string(at_limit.at_limit) + " of " +
                 std::to_string(at_limit.grips) + " grips reach the limit: " + std::to_string(slides) + " slides, " +
                 std::to_string(twists) + " twists, " + std::to_string(both) + " both";
-  if (share < 0.03 || factor > 1.8) {
+  if (factor > 1.8) {
+    report.scatter_refused = true;
+    report.warnings.emplace_back(
+        "the edge is blurred: a wrong zero or normal of the sensor, a coefficient that changed, or no slips; mu may be "
+        "too high");
+  } else if (share < 0.03) {
     report.warnings.emplace_back(
         "no sharp edge: the finger did not slip, or not in these rows; a limit is what the wrench reached");
   }

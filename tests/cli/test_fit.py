@@ -122,6 +122,19 @@ class Fit(CommandLineTest):
             self.assertNotIn("warning", done.stderr)
         turned = run("fit", "law", *log[:-1], columns[1].replace("-", ""), "--loss", "edge")
         self.assertIn("Is the load's sign right", turned.stderr)
+        # Of a sensor 3 degrees off the normal each way to slide has another edge.
+        cosine, sine = math.cos(math.radians(3)), math.sin(math.radians(3))
+        head, *body = [line.split(",") for line in data.read_text().splitlines() if not line.startswith("#")]
+        for row in body:
+            for x, z in ((0, 2), (3, 5)):
+                i, j = head.index(names[x]), head.index(names[z])
+                if row[i] and row[j]:
+                    a, b = float(row[i]), float(row[j])
+                    row[i], row[j] = str(a * cosine + b * sine), str(b * cosine - a * sine)
+        tilted = self.file("tilted.csv", "\n".join(map(",".join, [head, *body])))
+        said = run("fit", "ratio", *log[:2], "--data", tilted, *log[4:], "--loss", "edge").stderr
+        self.assertIn("the edge is blurred", said)
+        self.assertNotIn("limitcurve hold", said)
         self.assert_fails(2, "needs standard deviations: --zero", "fit", "ratio", *log[:6], *columns, "--loss", "edge",
                           "--quiet")
 

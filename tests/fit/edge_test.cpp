@@ -21,6 +21,7 @@ struct Log {
   double spin = 0.0;            ///< of all grips; varied if 0
   double fall = 0.0;            ///< mu ∝ P^-fall
   bool in_turn = false;         ///< a grip slides, and then twists
+  double tilt = 0.0;            ///< of the sensor, about its y; each grip slides another way
 };
 
 /// `grips` contacts of 60 rows of a Hertz brush: its bristles bend by 1 and then slide. If the loads are random, every
@@ -37,6 +38,7 @@ std::vector<Sample> log_of(std::size_t grips, const Log& log, Random& random) {
     const double spin = log.spin > 0.0 ? log.spin : std::array{0.01, 0.99, random.uniform(0.2, 0.8)}.at(grip % 3);
     const double bend = log.holds_only || (grip % 2 == 1 && !is_given) ? random.uniform(0.1, 0.5) : 40.0;
     const double limit = true_mu * std::pow(load, 1.0 - log.fall);
+    const double way = log.tilt > 0.0 ? random.uniform(0.0, 6.3) : 0.0;
     for (int i = 0; i < 60; ++i) {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (int j = 0; j < bristles; ++j) {
@@ -48,9 +50,12 @@ std::vector<Sample> log_of(std::size_t grips, const Log& log, Random& random) {
         pull /= std::fmax(1.0, pull.norm()) * bristles;
         sum += pull + place.cross(pull);
       }
-      samples.push_back({load + noise(0.003 * load), limit * sum.head<2>().norm() + noise(sigma_force),
-                         limit * true_radius * std::pow(load, log.gamma) * sum.z() + noise(sigma_moment), sigma_force,
-                         sigma_moment, 0, grip + 1});
+      const double along = limit * sum.head<2>().norm();
+      const Eigen::Vector3d seen = Eigen::AngleAxisd(log.tilt, Eigen::Vector3d::UnitY()) *
+                                   Eigen::Vector3d(along * std::cos(way), along * std::sin(way), load);
+      const double moment = limit * true_radius * std::pow(load, log.gamma) * sum.z() * load / seen.z();
+      samples.push_back({seen.z() + noise(0.003 * load), seen.head<2>().norm() + noise(sigma_force),
+                         moment + noise(sigma_moment), sigma_force, sigma_moment, 0, grip + 1});
     }
   }
   return samples;
@@ -99,6 +104,23 @@ TEST(Edge, HoldsAloneAreWarnedOfOrRefused) {
     }
   }
   EXPECT_LE(silent, 2);
+}
+
+// Each way has another edge then, of which the farthest is that of a friction angle greater by the tilt.
+TEST(Edge, ATiltedSensorCostsItsTiltOrIsRefused) {
+  for (const double tilt : {0.02, 0.1}) {
+    for (int seed = 70; seed < 72; ++seed) {
+      Random random(seed);
+      try {
+        const FitReport report =
+            fit_contact(log_of(48, {.tilt = tilt}, random), ContactModel::of(hertz()), edge()).report;
+        const Estimate& mu = report.at("mu");
+        EXPECT_LT(mu.value, std::tan(std::atan(true_mu) + tilt) + 2.5 * mu.std_error) << tilt;
+      } catch (const std::invalid_argument& refusal) {
+        test::expect_mention(refusal.what(), "normal");
+      }
+    }
+  }
 }
 
 TEST(Edge, OneLoadOrCentreDoesNotTellAll) {
