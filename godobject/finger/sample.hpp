@@ -24,6 +24,11 @@ struct StepInput {
   std::optional<double> load = {};  ///< P [N] where a physics engine gives it: then there is no depth
 
   [[nodiscard]] bool touches() const noexcept { return load ? *load > 0.0 : contact.depth > 0.0; }
+  /// Whether it says that there is no contact: a load ≤ 0, or a depth ≤ 0 without a normal. It then needs no place.
+  [[nodiscard]] bool is_absent() const noexcept {
+    const double pressed = load ? *load : contact.depth;
+    return pressed <= 0.0 && std::isfinite(pressed) && (load || contact.normal.squaredNorm() == 0.0);
+  }
   /// As `FingerOutput::depth` shows it [m].
   [[nodiscard]] double depth() const noexcept {
     return load ? std::numeric_limits<double>::quiet_NaN() : contact.depth;
