@@ -242,9 +242,11 @@ const FingerOutput& SoftFinger::advance(FingerState& state, StepInput&& input) c
   // 21–23).
   FrictionMemory<double> friction = state.friction;
   PatchMemory next_patch;
+  Spin spin = input.spin;
+  spin.started = spin.started && input.has_orientation;  // a patch must not turn by an orientation of another step
   const KeptDeflection kept = patch_
-                                  ? patch_->friction(limits_, trial, sample.normal, input.spin, output.angle,
-                                                     state.patch, input.may_begin, friction, next_patch)
+                                  ? patch_->friction(limits_, trial, sample.normal, spin, output.angle, state.patch,
+                                                     input.may_begin, friction, next_patch)
                                   : friction_of_curve(*curve_, projection_, limits_, trial, input.may_begin, friction);
 
   const ProxyUpdate moved = move_proxy(trial, kept, sample, output);
