@@ -221,6 +221,23 @@ TEST(PatchFinger, WithATwistNoEarlierOrientationTurnsIt) {
   }
 }
 
+// A state of a round finger has no axis yet: its margin is that of the next step, which sticks.
+TEST(PatchFinger, TheStateOfARoundFingerHasAMargin) {
+  for (const double turned : {0.0, 0.3}) {
+    SoftFinger round = hertz_finger(usual());
+    SoftFinger patch(Patch::rectangle(0.02, 0.002).orthotropic(2.0, 1.0), usual());
+    for (const double x : {0.0, 4e-4}) round.update(on_plane(x, 0.0, 0.002), turned);
+    patch.restore(round.state());
+    const double margin = patch.margin();
+    const double load = patch.load_to_hold();
+    patch.update(on_plane(4e-4, 0.0, 0.002), turned);
+    ASSERT_EQ(patch.output().state, ContactState::stick);
+    EXPECT_LT(margin, 0.9);
+    EXPECT_DOUBLE_EQ(margin, patch.margin());
+    EXPECT_DOUBLE_EQ(load, patch.load_to_hold());
+  }
+}
+
 TEST(PatchFinger, TheOriginOfThePatchPlaysNoPart) {
   SoftFinger here(Patch::rectangle(0.02, 0.01), usual());
   const std::vector<PatchPoint> corners{{0.49, -0.255}, {0.51, -0.255}, {0.51, -0.245}, {0.49, -0.245}};
