@@ -115,6 +115,12 @@ Orientation orientation_of(const double* given) noexcept {
   return {given[0], given[1], given[2], given[3]};
 }
 
+/// The parameters where no radius law is read: it may be NULL.
+FingerParameters parameters_of_any(const limitcurve_finger_parameters& given) {
+  const RadiusLaw unread = FingerParameters().radius_law;
+  return parameters_of(given, &unread);
+}
+
 /// Writes a step's result, unless something is NULL. `held` is the orientation, or the contact again for its twist.
 template <class Step>
 limitcurve_status step(const limitcurve_finger* finger, const limitcurve_contact* contact, const void* held,
@@ -202,10 +208,8 @@ limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch,
   if (is_no_handle("patch", patch) || is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
   limitcurve_finger_parameters own = *parameters;
   own.radius_law = nullptr;  // a patch has its own size
-  return make_handle(finger, [&] {
-    const RadiusLaw unread = FingerParameters().radius_law;
-    return limitcurve_finger{SoftFinger(patch->patch, parameters_of(own, &unread), point_radius)};
-  });
+  return make_handle(finger,
+                     [&] { return limitcurve_finger{SoftFinger(patch->patch, parameters_of_any(own), point_radius)}; });
 }
 
 void limitcurve_finger_free(limitcurve_finger* finger) {
@@ -337,7 +341,7 @@ limitcurve_status limitcurve_device_damping_needed(const limitcurve_finger_param
                                                    int delay, double* sliding, double* twist) {
   if (is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
   return guarded([&] {
-    const DeviceDamping needed = device_damping_needed(parameters_of(*parameters), sample_time, delay);
+    const DeviceDamping needed = device_damping_needed(parameters_of_any(*parameters), sample_time, delay);
     if (sliding != nullptr) *sliding = needed.sliding;
     if (twist != nullptr) *twist = needed.twist;
   });
@@ -346,7 +350,7 @@ limitcurve_status limitcurve_device_damping_needed(const limitcurve_finger_param
 limitcurve_status limitcurve_require_passive(const limitcurve_finger_parameters* parameters, double sample_time,
                                              int delay, double sliding, double twist) {
   if (is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
-  return guarded([&] { require_passive(parameters_of(*parameters), sample_time, {sliding, twist}, delay); });
+  return guarded([&] { require_passive(parameters_of_any(*parameters), sample_time, {sliding, twist}, delay); });
 }
 
 limitcurve_status limitcurve_finger_margin(const limitcurve_finger* finger, double* margin, double* load_to_hold) {

@@ -238,7 +238,8 @@ typedef struct limitcurve_contact {
 /* Makes a single contact of the `count` walls that a finger is in, for example of two faces of a groove. All walls must
  * have the same finger position, point - normal * depth. The result has the nearest point outside of all walls; if
  * there is no such point, or if two walls meet at less than 90 degrees, the result is the deepest contact. The twist is
- * that of the first contact. If the tip is round, move each point outward by the radius before. [real time] */
+ * that of the first contact. Without walls, depth and normal are 0, so that a finger is free. If the tip is round, move
+ * each point outward by the radius before. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_join(const limitcurve_contact* contacts, size_t count,
                                                  limitcurve_contact* joined);
 
@@ -254,7 +255,7 @@ typedef struct limitcurve_finger_output {
   double force[3];  /* friction on the user [N], tangential */
   double moment;    /* friction on the user about the normal [N m] */
   double cor;       /* of the slip [m]; NaN unless it slips */
-  double slip_work; /* dissipated in this step [J], >= 0 */
+  double slip_work; /* dissipated in this step [J], >= 0 if converged */
   limitcurve_state state;
   int converged;          /* 0: the search for a patch's closest point did not converge */
   limitcurve_fault fault; /* the reason for LIMITCURVE_STATE_INVALID */
@@ -275,16 +276,18 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_new_patch(const limitcurve_pa
 
 LIMITCURVE_API void limitcurve_finger_free(limitcurve_finger* finger);
 
-/* One step. Dampers use `time_step` [s], the time since the last step; 0: no dampers. A value that is not finite, a
- * normal not of unit length, a jump or a time step < 0 is not an error: the state is LIMITCURVE_STATE_INVALID, and
- * `fault` names the reason. [real time] */
+/* One step. Dampers and max_speed use `time_step` [s], the time since the last step. If it is 0, dampers do not act,
+ * and a finger that moves farther than max_speed allows in 1 ms (5 mm by default) is taken for a jump. A value that is
+ * not finite, a normal not of unit length, a jump or a time step < 0 is not an error: the state is
+ * LIMITCURVE_STATE_INVALID, and `fault` names the reason. Outside (depth <= 0), point and normal must be good as well;
+ * if you have none, pass the normal (0, 0, 0), so that the finger is free. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact,
                                                           double time_step, limitcurve_finger_output* output);
 
 /* One step inside a physics engine, which knows the load [N] but no depth. `contact->depth` is ignored; the output
  * repeats the load, and its depth is NaN. `contact->point` is the position of the finger on the surface. If the load is
- * <= 0 the finger is free; a load that is not finite is bad input. Friction reaches its limit on a surface of any
- * radius. Otherwise as limitcurve_finger_update. [real time] */
+ * <= 0 the finger is free, even if the contact is bad; a load that is not finite is bad input. Friction reaches its
+ * limit on a surface of any radius. Otherwise as limitcurve_finger_update. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger,
                                                                      const limitcurve_contact* contact, double load,
                                                                      double time_step,
@@ -334,7 +337,7 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_margin(const limitcurve_finge
 
 /* The damping [N s/m] and twist damping [N m s/rad] that a device itself needs at a sample time [s], with its force
  * `delay` samples late (0 to 1000), so that a finger's sampled springs and dampers add no energy in any hand. Either
- * result may be NULL. */
+ * result may be NULL, and so may radius_law, which is not used. */
 LIMITCURVE_API limitcurve_status limitcurve_device_damping_needed(const limitcurve_finger_parameters* parameters,
                                                                   double sample_time, int delay, double* sliding,
                                                                   double* twist);

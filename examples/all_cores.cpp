@@ -42,7 +42,7 @@ double run(const god::Batch& friction, god::ContactArrays& contacts, int steps, 
   {
     std::vector<std::jthread> team;
     for (unsigned t = 0; t < threads; ++t) {
-      // Parts begin at multiples of 8, so that no two threads write to one cache line.
+      // Parts begin at multiples of 8, so that each fills whole SIMD vectors.
       const std::size_t begin = count * t / threads / 8 * 8;
       const std::size_t end = t + 1 == threads ? count : count * (t + 1) / threads / 8 * 8;
       team.emplace_back([&, begin, end] {

@@ -45,9 +45,10 @@ void store(FingerState& state, const FingerSample& sample, const StepInput& inpu
 
 /// The step without contact: the proxy follows the finger.
 const FingerOutput& release(FingerState& state, const FingerSample& sample, const StepInput& input) noexcept {
+  const FingerFaults faults = state.faults;
   state = {};
+  state.faults = faults;
   store(state, sample, input);
-  state.faults.seen = true;
   state.output.proxy = sample.position();
   state.output.angle = sample.angle;
   state.output.depth = input.depth();
@@ -215,7 +216,13 @@ const FingerOutput& SoftFinger::advance(FingerState& state, StepInput&& input) c
                             input.time_step >= shortest_time_step &&
                             std::isnan(state.output.depth) == input.load.has_value();
   const Fault fault = accept(state.faults, input, state.sample, parameters_.max_speed);
-  if (fault != Fault::none) return fade(state, parameters_.fault_decay, fault);
+  if (fault != Fault::none) {
+    if (!input.is_absent()) return fade(state, parameters_.fault_decay, fault);
+    const FingerSample last = state.sample;  // the next sample is compared with the last good place
+    input.spin = state.spin;
+    input.contact.memory = state.contact;
+    return release(state, last, input);
+  }
   const bool continues = state.in_contact && !input.contact.landed;
   const FingerSample sample = take_sample(state.sample, input, continues);
   if (!input.touches()) return release(state, sample, input);
@@ -235,9 +242,11 @@ const FingerOutput& SoftFinger::advance(FingerState& state, StepInput&& input) c
   // 21–23).
   FrictionMemory<double> friction = state.friction;
   PatchMemory next_patch;
+  Spin spin = input.spin;
+  spin.started = spin.started && input.has_orientation;  // a patch must not turn by an orientation of another step
   const KeptDeflection kept = patch_
-                                  ? patch_->friction(limits_, trial, sample.normal, input.spin, output.angle,
-                                                     state.patch, input.may_begin, friction, next_patch)
+                                  ? patch_->friction(limits_, trial, sample.normal, spin, output.angle, state.patch,
+                                                     input.may_begin, friction, next_patch)
                                   : friction_of_curve(*curve_, projection_, limits_, trial, input.may_begin, friction);
 
   const ProxyUpdate moved = move_proxy(trial, kept, sample, output);

@@ -61,14 +61,17 @@ class SoftFinger {
   /// overwrites: copy what you want to keep. If one expression updates the same finger twice, both references show the
   /// later result.
   ///
-  /// Dampers act only if you pass a time step > 0, the time since the last update [s]. Friction then limits the sum of
-  /// springs and dampers, and so the force on the user. The first good sample, and the first one after invalid samples,
-  /// are not damped, because the velocity is unknown.
+  /// Pass the time since the last update [s]. If it is 0, dampers do not act, and a finger that moves farther than
+  /// `max_speed` allows in 1 ms (5 mm by default) is taken for a jump. Friction limits the sum of springs and dampers,
+  /// and so the force on the user. The first good sample, and the first after invalid samples, are not damped, because
+  /// the velocity is unknown.
   ///
   /// Bad input never reaches the user: the state becomes `invalid`, `FingerOutput::fault` names the reason, and the
   /// last good output is held and fades over further invalid samples (`fault_decay`); proxy and contact memory stay.
   /// Input is bad if it is not finite or lies beyond `farthest`, if the length of an orientation or normal is off 1 by
-  /// more than 1e-2, if the finger jumps faster than `max_speed`, or if the time step is < 0 or not finite.
+  /// more than 1e-2, if the finger jumps faster than `max_speed`, or if the time step is < 0 or not finite. This is
+  /// true in the air as well. If your collision detection has no contact, and so no place, pass a depth ≤ 0 and the
+  /// normal (0, 0, 0). The finger is then free at once, and the next sample is compared with the last good place.
   const FingerOutput& update(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) & noexcept;
   /// One step with a contact found by your own collision detection, and the device's twist α_s [rad] about the normal.
   /// The twist may wrap at any multiple of 2π: a jump of more than π between steps is read as a turn the other way.
@@ -79,8 +82,8 @@ class SoftFinger {
   /// One step inside a physics engine, which knows the load P [N] but no depth: the engine handles the normal
   /// direction, this finger the friction, bounded at P. All in the surface's frame: `point`, the finger's place on the
   /// surface [m], whose motion drives friction; the outward normal; the twist α_s [rad] about it, or the device's
-  /// orientation. If P ≤ 0 the finger is free; a load that is not finite is a fault. The output repeats the load; its
-  /// depth is NaN. `landed` as in `Contact`; the rest as in `update`.
+  /// orientation. If P ≤ 0 the finger is free, even if the rest is bad; a load that is not finite is a fault. The
+  /// output repeats the load; its depth is NaN. `landed` as in `Contact`; the rest as in `update`.
   ///
   /// As in `update`, the proxy is a point in space; only the part of its spring in the tangent plane acts. While the
   /// finger sticks, the force therefore depends on point and normal alone, so a closed path of both brings the force

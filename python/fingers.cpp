@@ -74,11 +74,15 @@ void define_step(nb::class_<PyFinger>& type, const std::string& name, const char
 constexpr const char* update_doc =
     "One step. Input: the contact (surface point [m], outward normal, depth [m] below the surface, <= 0 outside), "
     "the\n"
-    "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers. landed: the "
-    "finger left the\n"
-    "surface since the last step and landed on it anew, as from one wall to another; then it touches down. On another "
-    "body call reset() "
-    "before.\n\n"
+    "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers and max_speed. "
+    "If dt is 0,\n"
+    "dampers do not act, and a finger that moves farther than max_speed allows in 1 ms (5 mm by default) is taken for "
+    "a jump.\n"
+    "landed: the finger left the surface since the last step and landed on it anew, as from one wall to another; then "
+    "it touches\n"
+    "down. On another body call reset() before. Outside, point and normal must be good as well; if you have none, pass "
+    "the normal\n"
+    "(0, 0, 0), so that the finger is free.\n\n"
     "Bad input (not finite, a normal off unit length by more than 1e-2, a jump, dt < 0) raises nothing; it gives the "
     "state "
     "`invalid`, with\n"
@@ -87,9 +91,10 @@ constexpr const char* update_doc =
 constexpr const char* update_under_load_doc =
     "One step where a physics engine gives the load [N] and not a depth. point: where the finger is on the surface "
     "[m], whose\n"
-    "motion friction sees. With a load <= 0 the finger is free; one that is not finite is bad input. The output has "
-    "that load, and\n"
-    "NaN for the depth. Friction reaches its limit on a surface of any radius. The rest as in `update`.";
+    "motion friction sees. With a load <= 0 the finger is free, even if the contact is bad; one that is not finite is "
+    "bad input.\n"
+    "The output has that load, and NaN for the depth. Friction reaches its limit on a surface of any radius. The rest "
+    "as in `update`.";
 
 void change(PyFinger& finger, const BoundArguments& given) {
   nb::dict all = read_files(without(given.by_name, ""));
@@ -142,7 +147,7 @@ void add_output(nb::module_& module) {
       .def_ro("moment", &FingerOutput::moment, "friction on the user about the normal [N m]")
       .def_prop_ro("moment_vector", &FingerOutput::moment_vector, "on the user [N m]: normal * moment")
       .def_ro("cor", &FingerOutput::cor, "distance of the slip's centre of rotation [m]; NaN unless it slips")
-      .def_ro("slip_work", &FingerOutput::slip_work, "dissipated in this step [J], >= 0")
+      .def_ro("slip_work", &FingerOutput::slip_work, "dissipated in this step [J], >= 0 if converged")
       .def_ro("converged", &FingerOutput::converged, "False: the search for a patch's closest point did not converge")
       .def_ro("fault", &FingerOutput::fault, "Fault: the reason for the state `invalid`")
       .def("__repr__", [](const FingerOutput& self) {
@@ -290,8 +295,9 @@ void add_join(nb::module_& module) {
       "point "
       "outside of all\n"
       "walls; if there is no such point, or if two walls meet at less than 90 degrees, it is the deepest contact. "
-      "Without walls, the depth\n"
-      "is 0. If the tip is round, move each point outward by the radius before.\n\n"
+      "Without walls, depth\n"
+      "and normal are 0, so that a finger is free. If the tip is round, move each point outward by the radius "
+      "before.\n\n"
       ">>> import limitcurve as lc\n"
       ">>> finger = lc.SoftFinger(lc.Table('hertz'), mu=0.5, stiffness=1000, twist_stiffness=0.025)\n"
       ">>> walls = [((0.001, 0, 0), (0, 0, 1), 0.002), ((0, 0, -0.002), (1, 0, 0), -0.001)]\n"

@@ -22,8 +22,14 @@ struct StepInput {
   Fault fault = Fault::none;        ///< of the device's pose; then there is no contact
   bool may_begin = true;            ///< whether a slip of what rests begins: falls to the sliding limit
   std::optional<double> load = {};  ///< P [N] where a physics engine gives it: then there is no depth
+  bool has_orientation = false;     ///< otherwise it has a twist only, and `spin` is that of the last orientation
 
   [[nodiscard]] bool touches() const noexcept { return load ? *load > 0.0 : contact.depth > 0.0; }
+  /// Whether it says that there is no contact: a load ≤ 0, or a depth ≤ 0 without a normal. It then needs no place.
+  [[nodiscard]] bool is_absent() const noexcept {
+    const double pressed = load ? *load : contact.depth;
+    return pressed <= 0.0 && std::isfinite(pressed) && (load || contact.normal.squaredNorm() == 0.0);
+  }
   /// As `FingerOutput::depth` shows it [m].
   [[nodiscard]] double depth() const noexcept {
     return load ? std::numeric_limits<double>::quiet_NaN() : contact.depth;
@@ -44,13 +50,14 @@ struct StepInput {
   }
   Contact contact = surface.contact(device.position, last.contact);
   make_unit(contact.normal);
-  return {contact, device.twist, time_step, last.spin.moved(orientation, contact.normal), Fault::none, may_begin};
+  const Spin spin = last.spin.moved(orientation, contact.normal);
+  return {contact, device.twist, time_step, spin, Fault::none, may_begin, {}, true};
 }
 
 /// The same with a contact that other code found, or of which it gives the load.
 [[nodiscard]] inline StepInput sense(const Contact& contact, Orientation orientation, double time_step,
                                      const FingerState& last, std::optional<double> load = {}) noexcept {
-  StepInput input{contact, 0.0, time_step, last.spin, Fault::none, true, load};
+  StepInput input{contact, 0.0, time_step, last.spin, Fault::none, true, load, true};
   make_unit(input.contact.normal);
   if (make_unit(orientation)) {
     input.spin = last.spin.moved(orientation, input.contact.normal);

@@ -69,7 +69,11 @@ class PatchFinger final : public PatchStep {
                                         bool may_begin, FrictionMemory<double>& friction,
                                         PatchMemory& next) const noexcept override;
   [[nodiscard]] double gauge(const FingerState& state) const noexcept override {
-    return patch().gauge(in_axes(state.patch.axis, state.output.normal, state.output.force, state.output.moment));
+    const FingerOutput& output = state.output;
+    Vector3d axis = state.patch.axis;
+    // A state from a round finger has none: take that of the next step.
+    if (axis.isZero(0.0)) axis = turned_about(zero_axis(output.normal, state.spin, axis), output.normal, output.angle);
+    return patch().gauge(in_axes(axis, output.normal, output.force, output.moment));
   }
   [[nodiscard]] const Patch& patch() const noexcept override { return projector_.patch(); }
 

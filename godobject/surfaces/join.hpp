@@ -18,28 +18,39 @@ namespace limitcurve::godobject {
 /// is their distance, at most √3 times the deepest. At most three walls act. If two of them meet at less than 90° (0.6°
 /// less counts as 90°), or if no point is outside of all, the result is the deepest contact. The result is that
 /// contact, bit for bit, also if leaving that wall leaves all, so of two coplanar walls only the deeper counts.
-/// `landed` is set if any contact has `landed`; `memory` is from the deepest contact. An empty range gives a depth of
-/// 0. A contact that no finger accepts is returned, so that the finger can name the fault.
+/// `landed` is set if any contact has `landed`; `memory` is from the deepest contact. An empty range gives a contact
+/// without depth and normal, in which a finger is free (`SoftFinger::update`). A wall of depth ≤ 0 needs no normal. Any
+/// other contact that no finger accepts is returned, so that the finger can name the fault.
 ///
 /// If the tip is round, you must pass contacts of the tip's centre: move each point outward by the radius, and keep
 /// normal and depth. Otherwise x differs from wall to wall, and the springs pull the tip into the corner. Costs some 10
 /// ns per contact, if there are few.
 template <std::ranges::forward_range Contacts>
 [[nodiscard]] Contact join(const Contacts& contacts) noexcept {
-  if (contacts.begin() == contacts.end()) return {};
+  if (contacts.begin() == contacts.end()) return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.0};
+  const auto normal_of = [](const Contact& wall) {
+    Eigen::Vector3d normal = wall.normal;
+    make_unit(normal);  // as a finger takes it: the depth is a length
+    return normal;
+  };
   Contact deepest = *contacts.begin();
   bool landed = false;
   for (const Contact& wall : contacts) {
-    const bool is_unit = std::fabs(wall.normal.squaredNorm() - 1.0) <= 0.02;
-    if (!is_unit || !is_plausible<double>(wall.point.squaredNorm() + wall.depth * wall.depth)) return wall;
+    Eigen::Vector3d normal = wall.normal;
+    const bool is_free = wall.depth <= 0.0 && std::isfinite(wall.depth);
+    if (!is_free && !(make_unit(normal) && is_plausible<double>(wall.point.squaredNorm() + wall.depth * wall.depth)))
+      return wall;
     landed = landed || wall.landed;
     if (wall.depth > deepest.depth) deepest = wall;
   }
   deepest.landed = landed;
   const double most = deepest.depth;
   Eigen::Vector3d way;  // from x
-  const auto leave = [&](const Contact& wall) { way = wall.normal * (wall.depth / wall.normal.squaredNorm()); };
-  const auto missing = [&](const Contact& at) { return at.depth > 0.0 ? at.depth - at.normal.dot(way) : -most; };
+  const auto leave = [&](const Contact& wall) {
+    const Eigen::Vector3d normal = normal_of(wall);
+    way = normal * (wall.depth / normal.squaredNorm());
+  };
+  const auto missing = [&](const Contact& at) { return at.depth > 0.0 ? at.depth - normal_of(at).dot(way) : -most; };
   const auto is_inside = [&](const Contact& wall) { return missing(wall) > 1e-9 * most; };
   // Walls of one direction have no edge, and no point on all of them.
   const auto ratio = [](double length, double slope) {
@@ -56,19 +67,19 @@ template <std::ranges::forward_range Contacts>
     for (auto j = contacts.begin(); j != i; ++j) {
       if (!is_inside(*j)) continue;
       leave(*i);
-      const Eigen::Vector3d edge = (*i).normal.cross((*j).normal);
-      const Eigen::Vector3d across = edge.cross((*i).normal);
-      way += across * ratio(missing(*j), across.dot((*j).normal));
+      const Eigen::Vector3d edge = normal_of(*i).cross(normal_of(*j));
+      const Eigen::Vector3d across = edge.cross(normal_of(*i));
+      way += across * ratio(missing(*j), across.dot(normal_of(*j)));
       for (auto k = contacts.begin(); k != j; ++k)
-        if (is_inside(*k)) way += edge * ratio(missing(*k), edge.dot((*k).normal));
+        if (is_inside(*k)) way += edge * ratio(missing(*k), edge.dot(normal_of(*k)));
     }
   }
   for (const Contact& a : contacts)
     for (const Contact& b : contacts)
       if (!(missing(a) <= 1e-6 * most &&
-            (missing(b) < -1e-6 * most || missing(a) < -1e-6 * most || a.normal.dot(b.normal) >= -0.01)))
+            (missing(b) < -1e-6 * most || missing(a) < -1e-6 * most || normal_of(a).dot(normal_of(b)) >= -0.01)))
         return deepest;
-  return {deepest.point - deepest.normal * most + way, way.normalized(), way.norm(), deepest.memory, landed};
+  return {deepest.point - normal_of(deepest) * most + way, way.normalized(), way.norm(), deepest.memory, landed};
 }
 
 }  // namespace limitcurve::godobject

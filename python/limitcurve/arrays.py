@@ -9,8 +9,8 @@ once.
 >>> [round(float(x), 6) for x in f], slips.tolist()
 ([0.2, -1.0], [False, True])
 
-Numbers, lists and arrays broadcast against each other, and become arrays of the cells' library and type. What is not
-finite gives NaN.
+Numbers, lists and arrays broadcast against each other, and become arrays of the cells' library and type. NaN stays
+NaN.
 """
 
 import os

@@ -251,6 +251,16 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
   EXPECT_LT(refused, 9000U);
 }
 
+// The parameters of a patch's finger have no radius law.
+TEST_F(HostileCalls, ADevicesDampingNeedsNoRadiusLaw) {
+  limitcurve_finger_parameters parameters = limitcurve_finger_defaults();
+  parameters.radius_law = nullptr;
+  double sliding = 0.0;
+  ASSERT_EQ(limitcurve_device_damping_needed(&parameters, 1e-3, 0, &sliding, nullptr), LIMITCURVE_OK);
+  EXPECT_EQ(sliding, 0.5);  // kT/2
+  EXPECT_EQ(limitcurve_require_passive(&parameters, 1e-3, 0, 0.6, infinity), LIMITCURVE_OK);
+}
+
 // By the name that it has in the header.
 TEST_F(HostileCalls, AnArrayThatIsMissingIsNamed) {
   const limitcurve_finger_parameters parameters = limitcurve_finger_defaults();

@@ -261,6 +261,33 @@ TEST(GivenLoad, NoLoadIsFreeAndABadOneIsAFault) {
   EXPECT_EQ(at(1e-3, 2.0).force.x(), -1.0) << "and goes on";
   EXPECT_EQ(finger.update_under_load({1e-3, 0.0, 0.0}, up, 2.0, 0.0, 1e-3, true).force.x(), -0.0)
       << "landed: the springs are relaxed";
+  // An engine without a contact has no place: whatever it passes, nothing is felt, and the last good place counts.
+  FingerParameters guarded = parameters();
+  guarded.max_speed = FingerParameters().max_speed;
+  for (SoftFinger each : {hertz_finger(guarded), SoftFinger(Patch::rectangle(0.01, 0.005), guarded)}) {
+    for (const bool by_depth : {false, true}) {
+      for (const Vector3d& normal : {Vector3d(0.0, 0.0, 0.0), Vector3d(nan, 0.0, 0.0), Vector3d(0.0, 0.0, 1.0)}) {
+        if (by_depth && !normal.isZero()) continue;
+        each.reset();
+        for (const double x : {1.0, 1.001}) each.update_under_load({x, 0.0, 0.0}, up, 2.0, 0.0, 1e-3);
+        EXPECT_NEAR(each.output().force.x(), -1.0, 1e-12);
+        const Contact none{Vector3d::Zero(), normal, -0.0};
+        const FingerOutput out =
+            by_depth ? each.update(none, 0.0, 1e-3) : each.update_under_load(none.point, normal, 0.0, 0.0, 1e-3);
+        EXPECT_EQ(out.state, ContactState::free);
+        EXPECT_EQ(out.force.norm() + out.load + std::fabs(out.moment), 0.0);
+        EXPECT_EQ(out.proxy.x(), 1.001);
+        EXPECT_EQ(each.update_under_load({1.02, 0.0, 0.0}, up, 2.0, 0.0, 1e-3).fault, Fault::speed);
+        EXPECT_EQ(each.update_under_load({1.005, 0.0, 0.0}, up, 2.0, 0.0, 1e-3).state, ContactState::stick);
+      }
+    }
+    // A depth of NaN is a fault, and a jump into the air may be the device's: what is felt is held.
+    each.update_under_load({1.007, 0.0, 0.0}, up, 2.0, 0.0, 1e-3);
+    for (const Contact& bad : {Contact{{1.0, 0.0, 0.0}, Vector3d::Zero(), nan}, on_plane(0.0, 0.0, -0.1)}) {
+      EXPECT_EQ(each.preview(bad, 0.0, 1e-3).state, ContactState::invalid);
+      EXPECT_NE(each.preview(bad, 0.0, 1e-3).force.x(), 0.0);
+    }
+  }
   for (const double load : {5e-324, 1e-200, 1e20, 1e300}) {
     const FingerOutput out = at(2e-3, load);
     EXPECT_TRUE(out.force.allFinite() && std::isfinite(out.moment) && out.slip_work >= 0.0) << load;

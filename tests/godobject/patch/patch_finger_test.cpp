@@ -203,6 +203,41 @@ TEST(PatchFinger, FrictionAlongAndAcrossTurnsWithTheFinger) {
   }
 }
 
+// A twist has no orientation: one of an earlier step must not turn the patch. The normal tilts, then turns by 90°, so
+// that a projected axis differs from that of a held orientation.
+TEST(PatchFinger, WithATwistNoEarlierOrientationTurnsIt) {
+  std::vector<FingerOutput> felt;
+  for (const std::optional<double>& first : {std::optional<double>(), std::optional(0.0), std::optional(1.0)}) {
+    SoftFinger finger(Patch::rectangle(0.02, 0.002), usual());
+    if (first) finger.update(on_plane(0.0, 0.0, -0.001), Orientation(AngleAxisd(*first, Vector3d::UnitZ())));
+    for (int i = 0; i < 160; ++i) {
+      const double tilt = 0.01 * std::min(i, 50);
+      const double turn = 0.01 * std::numbers::pi * std::clamp(i - 50, 0, 50);
+      const Vector3d normal(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt));
+      finger.update({{1e-4 * std::max(i - 100, 0), 0.0, 0.0}, normal, 0.002}, 0.02 * std::max(i - 100, 0));
+    }
+    felt.push_back(finger.output());
+    expect_same(felt.back(), felt.front());
+  }
+}
+
+// A state of a round finger has no axis yet: its margin is that of the next step, which sticks.
+TEST(PatchFinger, TheStateOfARoundFingerHasAMargin) {
+  for (const double turned : {0.0, 0.3}) {
+    SoftFinger round = hertz_finger(usual());
+    SoftFinger patch(Patch::rectangle(0.02, 0.002).orthotropic(2.0, 1.0), usual());
+    for (const double x : {0.0, 4e-4}) round.update(on_plane(x, 0.0, 0.002), turned);
+    patch.restore(round.state());
+    const double margin = patch.margin();
+    const double load = patch.load_to_hold();
+    patch.update(on_plane(4e-4, 0.0, 0.002), turned);
+    ASSERT_EQ(patch.output().state, ContactState::stick);
+    EXPECT_LT(margin, 0.9);
+    EXPECT_DOUBLE_EQ(margin, patch.margin());
+    EXPECT_DOUBLE_EQ(load, patch.load_to_hold());
+  }
+}
+
 TEST(PatchFinger, TheOriginOfThePatchPlaysNoPart) {
   SoftFinger here(Patch::rectangle(0.02, 0.01), usual());
   const std::vector<PatchPoint> corners{{0.49, -0.255}, {0.51, -0.255}, {0.51, -0.245}, {0.49, -0.245}};

@@ -95,7 +95,27 @@ TEST(Join, KeepsTheDeepestWhereWallsFaceEachOtherAndWhatIsMarked) {
   EXPECT_NEAR(groove(89.9), 1.0 / std::sin(89.9 * std::numbers::pi / 360.0), 1e-12) << "as rounded normals have it";
   EXPECT_EQ(groove(80.0), 1.0);
   EXPECT_EQ(groove(0.0), 1.0);
-  EXPECT_EQ(join(std::vector<Contact>()).depth, 0.0);
+  // Normals as engines round them are unit vectors, and the depth is a length: as a finger takes both.
+  for (const double length : {0.9901, 0.991, 1.009, 1.00998}) {
+    std::array pair{wall(x, Vector3d::UnitZ(), 0.001), wall(x, Vector3d::UnitX(), 0.001)};
+    pair[0].normal *= length;
+    EXPECT_NEAR(join(pair).depth, 0.001 * std::numbers::sqrt2, 1e-15) << length;
+    pair[1].normal *= length;
+    EXPECT_NEAR(join(pair).depth, 0.001 * std::numbers::sqrt2, 1e-15) << length;
+    EXPECT_LT((join(pair).point - x - Vector3d(0.001, 0.0, 0.001)).norm(), 1e-15) << length;
+  }
+  // A wall that the finger is not in need not have a normal, and does not free it.
+  for (const double length : {0.0, 1.00998, 2.0})
+    EXPECT_EQ(join(std::array{wall(x, length * Vector3d::UnitX(), -0.005), walls[1]}).depth, 0.002);
+  FingerParameters guarded = parameters();
+  guarded.max_speed = FingerParameters().max_speed;
+  SoftFinger freed = hertz_finger(guarded);
+  for (const Vector3d& at : {x, Vector3d(x + Vector3d::UnitX())}) {  // where it comes down, too
+    freed.update(join(std::array{wall(at, Vector3d::UnitZ(), 0.002)}), 0.0, 1e-3);
+    ASSERT_EQ(freed.output().load, 2.0);
+    for (int i = 0; i < 300; ++i)
+      ASSERT_EQ(freed.update(join(std::vector<Contact>()), 0.0, 1e-3).state, ContactState::free);
+  }
   // What no finger accepts is not hidden behind a good wall.
   for (const Contact& bad : {wall(x, {0.0, 0.0, 2.0}, 0.001), wall(x, Vector3d::UnitY(), nan),
                              wall(Vector3d::Constant(infinity), Vector3d::UnitY(), 0.001)}) {
