@@ -35,7 +35,9 @@ void run_steps(Bytes& bytes, See&& see) {
     check = test::check_step(finger, before);
     const double squares = contact.point.squaredNorm() + contact.depth * contact.depth + sample.twist * sample.twist;
     const bool usable = squares <= 1e12 && std::fabs(contact.normal.norm() - 1.0) <= 1e-2 * (1.0 + 1e-9);
-    if (!usable && finger.output().state != godobject::ContactState::invalid) check.fault = "unusable input is used";
+    const bool is_absent = contact.depth <= 0.0 && std::isfinite(contact.depth) && contact.normal.squaredNorm() == 0.0;
+    const auto unusable_state = is_absent ? godobject::ContactState::free : godobject::ContactState::invalid;
+    if (!usable && finger.output().state != unusable_state) check.fault = "unusable input is used";
     if (!same(preview, finger.output())) check.fault = "a preview shows another step";
     if (!(finger.margin() >= 0.0 && finger.margin() <= 1.0)) check.fault = "a margin outside 0 to 1";
     if (!(finger.load_to_hold() >= 0.0)) check.fault = "a load to hold below 0 or NaN";
