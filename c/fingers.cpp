@@ -169,8 +169,10 @@ limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limit
   if (table->curve.is_box() && projection != LIMITCURVE_CLOSEST_POINT)
     return refuse("projection", "a box goes with closest-point only");
   if (const char* const fault = fault_of(*limits, force, moment, *memory)) return refuse("friction", fault);
+  // In units of no moment at all a trial would be infinitely far out, and its force lost.
+  const double sliding_radius = std::max(limits->sliding_radius, 1e-20);
   const FrictionLimits<double> acting{
-      {limits->force, limits->radius}, {limits->sliding_force, limits->sliding_radius},
+      {limits->force, limits->radius}, {limits->sliding_force, sliding_radius},
       limits->stiffness_ratio,         limits->force_stick_fraction,
       limits->moment_stick_fraction,   has_torsion(limits->radius, limits->stiffness_ratio)};
   FrictionMemory<double> remembered{memory->force_slides != 0, memory->moment_slides != 0, memory->search_start,

@@ -22,6 +22,10 @@ namespace limitcurve::godobject {
 /// the origin, while slips are micrometres. Therefore give positions relative to a point near the contact (the object's
 /// origin, the touch-down), and angles within a few turns. A slip below the resolution does not move the proxy, and
 /// counts as held.
+///
+/// If contacts twist, μ_d and mu_r_dynamic should not be 0. Otherwise the rounding of the component that has no limit
+/// can let the other exceed its limit by up to the limit itself, and in floats the other can vanish. `SoftFinger` takes
+/// any.
 template <class Real>
 struct BasicContactBatch {
   std::span<const Real> x;  ///< x_g [m]

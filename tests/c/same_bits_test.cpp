@@ -55,6 +55,11 @@ TEST(SameBits, FrictionTakesTheLimitsOfEveryFinger) {
   limitcurve_friction found{};
   EXPECT_EQ(limitcurve_apply_friction(ellipse, LIMITCURVE_CLOSEST_POINT, &grows, 1.0, 0.01, &memory, &found),
             LIMITCURVE_INVALID);
+  // Without a moment in slip the force alone is held: 0.5 of 2.
+  const limitcurve_limits no_moment{1.0, 0.01, 0.5, 0.0, 25000.0, 1.0, 1.0};
+  EXPECT_EQ(limitcurve_apply_friction(ellipse, LIMITCURVE_CLOSEST_POINT, &no_moment, 2.0, 0.01, &memory, &found),
+            LIMITCURVE_OK);
+  EXPECT_NEAR(found.force_fraction, 0.25, 1e-12);
 }
 
 /// A box has two slip states and two shares of rest, which C passes on each for itself.
