@@ -170,7 +170,7 @@ limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limit
     return refuse("projection", "a box goes with closest-point only");
   if (const char* const fault = fault_of(*limits, force, moment, *memory)) return refuse("friction", fault);
   // In units of no moment at all a trial would be infinitely far out, and its force lost.
-  const double sliding_radius = std::max(limits->sliding_radius, 1e-20);
+  const double sliding_radius = limits->sliding_radius > 0.0 ? limits->sliding_radius : 1e-20;
   const FrictionLimits<double> acting{
       {limits->force, limits->radius}, {limits->sliding_force, sliding_radius},
       limits->stiffness_ratio,         limits->force_stick_fraction,

@@ -10,7 +10,6 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -371,7 +370,8 @@ void add_friction(nb::module_& module) {
         const FingerCurve on = curve_of<double>(given[0]);
         check_projection(on, way);
         // In units of no moment at all a trial would be infinitely far out, and its force lost.
-        const FrictionLimits<double> limits{{limit, radius},       {sliding_force, std::max(radius_of_slip, 1e-20)},
+        const double acting_radius = radius_of_slip > 0.0 ? radius_of_slip : 1e-20;
+        const FrictionLimits<double> limits{{limit, radius},       {sliding_force, acting_radius},
                                             stiffness_ratio,       force_stick_fraction,
                                             moment_stick_fraction, has_torsion(radius, stiffness_ratio)};
         return apply_friction(on.view(), way, limits, FrictionTrial<double>{force, moment}, memory->memory);
