@@ -17,8 +17,8 @@ namespace limitcurve {
 /// The load is the largest of (F v/μ + M w/(μ a))/H(v, w) over the slips: at the slip where it touches, a change of the
 /// curve enters by δH = v δf + w δm alone (envelope theorem), and by 1/(1 + γω) if the radius grows with the load. An
 /// ellipse or a box has δm = m δm₀/m₀. Measured moments (`RadiusLaw::is_of_moments`) divide m by m₀: of an ellipse or a
-/// box nothing of the law is left, and of the curve δm becomes δm − m δm₀/m₀. As m₀ ≥ m ≥ m₀ − s f for any law, that can
-/// be at most s (f + δf)(1 + δm₀/m₀), which is 0 for a pure spin.
+/// box nothing of the law is left, and of the curve δm becomes δm − m δm₀/m₀. As m₀ ≥ m ≥ m₀ − s f for any law, that
+/// can be at most s (f + δf)(1 + δm₀/m₀), which is 0 for a pure spin.
 template <class Curve>
 double hold_error(const Curve& curve, const PressureLaw& law, const ContactFriction& contact, double load, double force,
                   double moment, bool intercepts_only = false) {
