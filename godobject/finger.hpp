@@ -36,8 +36,8 @@ struct FingerParameters {
   /// its trial wrench is within the sliding limit divided by 1 + rest_margin·(μ/μ_d − 1). With the default, the trial
   /// must fall by about 0.4 of the gap between the two limits. That is low enough for real stick–slip: a mass on
   /// springs no stiffer than the contact makes the trial fall by at least 0.5 of the gap. With 0, the finger rests as
-  /// soon as the trial is within the sliding limit. If μ_d or mu_r_dynamic is 0 it never rests before it lifts, because
-  /// a repeated sample would bring it to rest.
+  /// soon as the trial is within the sliding limit. If μ_d or mu_r_dynamic is 0, the finger can only rest after
+  /// lifting, because otherwise a repeated sample would end the slip.
   double rest_margin = 0.4;
   /// Largest speed of the finger past the body [m/s] > 0. A sample is taken for a device fault, and `invalid`, if it
   /// lies farther from the last good one than this times the time since then: the sum of the time steps between, at
