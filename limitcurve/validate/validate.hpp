@@ -109,7 +109,9 @@ EndTurns end_turns(const Curve& curve) {
 
 /// f ≈ s/σ_f near pure spin, m ≈ m₀σ_m/s near pure sliding.
 inline EndTurns end_turns(const PadeModel& model) {
-  return {1.0 / (model.force_cor() * model.moment_ratio()), model.moment_cor() * model.moment_ratio()};
+  const double turns = model.force_cor() * model.moment_ratio();
+  return {turns > 0.0 ? 1.0 / turns : std::numeric_limits<double>::infinity(),
+          model.moment_cor() * model.moment_ratio()};
 }
 
 // The normals of a polygon turn at once, or not at all, which no slope shows.
