@@ -283,7 +283,8 @@ Reached reached(const EdgeModel& model, std::span<const EdgeRow> rows, const Vec
 
 /// What an error of 1 % of the load leaves open of gamma: all, if no two loads tell it.
 double unknown_gamma(const Reached& at_limit) {
-  return 0.01 * 0.01 / std::fmax(variance_of(at_limit.log_loads), 0.0);
+  const double variance = variance_of(at_limit.log_loads);
+  return variance > 0.0 ? 0.01 * 0.01 / variance : std::numeric_limits<double>::infinity();
 }
 
 void require(bool good, const char* expected) {
