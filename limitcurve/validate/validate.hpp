@@ -43,10 +43,12 @@ class PadeModel {
   [[nodiscard]] double moment_cor() const noexcept { return moment_cor_; }
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
 
-  /// The wrench of a slip twist ≥ 0.
+  /// The wrench of a slip twist ≥ 0. With force_cor 0 the force of a pure spin is NaN.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
-    return {twist.slide / (twist.slide + force_cor_ * twist.spin),
-            moment_ratio_ * moment_cor_ * twist.spin / (twist.slide + moment_cor_ * twist.spin)};
+    const auto share = [](double part, double other) {
+      return part + other > 0.0 ? part / (part + other) : std::numeric_limits<double>::quiet_NaN();
+    };
+    return {share(twist.slide, force_cor_ * twist.spin), moment_ratio_ * share(moment_cor_ * twist.spin, twist.slide)};
   }
 
   /// The model's wrench on the ray through `direction` ≥ 0, and, instead of a normal, the slip twist that causes it.
