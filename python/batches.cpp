@@ -206,6 +206,8 @@ makes its contact `invalid`; the last output of that contact stays.
         new (self) PyBatch(std::move(made));
       },
       R"(n free contacts at the origin; parameters as for SoftFinger, but no dampers, max_speed and fault_decay.
+If contacts twist, mu_dynamic and mu_r_dynamic should not be 0: the other limit may then be exceeded, or its friction
+lost. A SoftFinger takes any.
 dtype float32 needs half the memory and time and resolves 6e-8 of a
 coordinate; its table is that of the given one, to 5e-7 or 1 % of its tolerance.)");
   define<PyBatch&>(
