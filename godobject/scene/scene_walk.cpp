@@ -86,9 +86,8 @@ double largest_moment(const Scene& scene, double moment_ratio, double load) {
   return scene.mu_r ? *scene.mu_r * load : moment_ratio * scene.mu * load * scene.radius_law.radius(load);
 }
 
-SceneWalk walk(const Scene& given, double moment_ratio) {
+SceneWalk walk(Scene scene, double moment_ratio) {
   using std::numbers::pi;
-  Scene scene = given;
   SceneWalk result;
   // Powers of two change no bit of a wrench.
   constexpr double stiffest = 0.5e15;  // half of what a finger takes

@@ -33,6 +33,6 @@ double largest_moment(const Scene& scene, double moment_ratio, double load);
 /// both in some ratio; the slide goes on, turns aside or reverses, the twist goes on or reverses. Half of the legs are
 /// so long that the wrench no longer depends on their start. The load stays, changes along the leg, or changes at its
 /// start; some legs change the load only. Up to 3e5 samples, usually a third of that.
-SceneWalk walk(const Scene& scene, double moment_ratio);
+SceneWalk walk(Scene scene, double moment_ratio);
 
 }  // namespace limitcurve::godobject
