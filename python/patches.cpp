@@ -92,11 +92,12 @@ nb::object slips(const PyPatch& patch, const BoundArguments& given) {
                              }
                              return std::array{twist.vx, twist.vy, twist.omega, error};
                            });
-  if (worst > much)
+  const bool asked_for_errors = truth_of(given[3]);
+  if (worst > much && !asked_for_errors)
     warn("slip: a twist needs a wrench that is off by up to " + format_number(worst) +
          " of the load: ask for the errors with error=True");
   const nb::object twists = numpy("stack")(nb::make_tuple(found[0], found[1], found[2]), -1);
-  if (!truth_of(given[3])) return twists;
+  if (!asked_for_errors) return twists;
   return nb::make_tuple(twists, found[3]);
 }
 

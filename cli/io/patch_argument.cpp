@@ -14,10 +14,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 namespace limitcurve::cli {
 
@@ -81,8 +83,10 @@ void add_pixel(PatchArgument& patch, std::string_view text, const Number& number
 /// `@@`. Takes the sides of a pixel from the header unless they are known, and one frame, which must be named if there
 /// are several. False if the file is none.
 bool read_tekscan(PatchArgument& patch, std::optional<double> frame) {
-  if (!std::filesystem::is_regular_file(descriptor::path_of(patch.file))) return false;
-  std::ifstream file(patch.file);
+  const std::filesystem::path path = descriptor::path_of(patch.file);
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown)) return false;
+  std::ifstream file(path);
   std::string line;
   std::size_t number = 0;
   const auto next = [&] { return ++number, static_cast<bool>(std::getline(file, line)); };

@@ -7,8 +7,10 @@
 #include "limitcurve/table_file.hpp"
 
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace limitcurve::cli {
 
@@ -18,9 +20,11 @@ namespace {
 constexpr std::size_t longest_file = 32U << 20U;
 
 std::string read_whole(const std::string& file) {
-  if (std::filesystem::is_directory(descriptor::path_of(file)))
+  const std::filesystem::path path = descriptor::path_of(file);
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown))
     throw std::invalid_argument("cannot read '" + file + "': a directory, expected a table");
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream(path, std::ios::binary);
   if (!stream) throw std::invalid_argument(system_complaint("read", file));
   std::string text;
   std::string chunk(1U << 16U, '\0');
