@@ -4,6 +4,7 @@
 import functools
 import math
 import pickle
+import warnings
 
 import limitcurve as lc
 import numpy as np
@@ -130,6 +131,15 @@ def test_wrenches_and_slips_of_a_patch_broadcast():
     slips = patch.slip(*np.moveaxis(wrenches, -1, 0))
     assert np.allclose(slips * powers[..., None], twists, rtol=1e-8, atol=1e-10)
     assert patch.slip(1, 0, 0).shape == (3,) and np.isnan(patch.slip([0, math.nan], 0, 0)).all()
+
+
+def test_an_inaccurate_slip_warns_unless_its_error_is_asked_for():
+    patch = lc.Patch.image([[1, 1, 1], [1, 7, 7]], 0.004)
+    with pytest.warns(UserWarning, match="off by up to"):
+        patch.slip(0, 1, 0.003)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert patch.slip(0, 1, 0.003, error=True)[1] > 1e-6
 
 
 def profile_file(path, exponent):
